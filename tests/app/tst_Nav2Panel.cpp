@@ -172,6 +172,58 @@ class Nav2PanelTest : public QObject, protected quiet::InFolder {
   }
 
   /// In the window the key belongs to the list that has the focus.
+  /// The user's own file, chosen in the panel instead of typed as a path.
+  void chooseFile_ofTheUser_isUsedAndUndone() {
+    openPanel();
+    QVERIFY(QDir(folder_->path()).mkdir(text("own")));
+    writeText(at("own/other.yaml"), shipped().replace("temperature: 0.3", "temperature: 0.7"));
+    quiet::answerDialog<QFileDialog>([this](QFileDialog& dialog) {
+      dialog.selectFile(at("own/other.yaml"));
+      QMetaObject::invokeMethod(&dialog, "accept");
+    });
+    auto* choose = widgets::withText<QToolButton>(panel(), text("Choose file…"));
+    QVERIFY(choose != nullptr && choose->isVisible());
+    QTest::mouseClick(choose, Qt::LeftButton);
+    QCOMPARE(robot().nav2Params, std::vector<std::string>{"own/other.yaml"});
+    QCOMPARE(row("FollowPath.temperature").text(editor::Nav2ValueColumn), text("0.7"));
+    document().undoStack().undo();
+    QCOMPARE(robot().nav2Params, std::vector<std::string>{"mine.yaml"});
+  }
+
+  /// During a run, changed values are marked until the next start.
+  void edit_duringARun_isMarkedUntilTheNextStart() {
+    openPanel();
+    editor::SimulationRunner& runner = window_->workspace().runner();
+    runner.stepOnce();
+    QTRY_VERIFY(runner.shownFrame() != nullptr);
+    QVERIFY(row("FollowPath.temperature").icon(editor::Nav2ValueColumn).isNull());
+    type("FollowPath.temperature", "0.5");
+    QVERIFY(!row("FollowPath.temperature").icon(editor::Nav2ValueColumn).isNull());
+    QVERIFY(row("FollowPath.temperature")
+                .toolTip(editor::Nav2ValueColumn)
+                .contains(text("Applies at the next start")));
+    QVERIFY(row("FollowPath.batch_size").icon(editor::Nav2ValueColumn).isNull());
+    quiet::shoot(*window_, "nav2_pending");
+    runner.reset();
+    QTRY_VERIFY(row("FollowPath.temperature").icon(editor::Nav2ValueColumn).isNull());
+  }
+
+  /// Fields of Nav2 are shown only for the planner that uses them.
+  void body_ofAnotherPlanner_isNotOffered() {
+    const auto isOffered = [this] {
+      for (const QLabel* label : window_->findChildren<QLabel*>()) {
+        if (label->isVisible() && label->text() == text("Body from Nav2")) {
+          return true;
+        }
+      }
+      return false;
+    };
+    document().setSelection({robot().key});
+    QTRY_VERIFY(isOffered());
+    document().setSelection({document().scenario().robots.back().key});
+    QTRY_VERIFY(!isOffered());
+  }
+
   void deleteKey_resetsTheRow() {
     openPanel();
     type("FollowPath.temperature", "0.2");

@@ -81,6 +81,19 @@ QString withUnit(const std::string& value, const app::Nav2Parameter& parameter) 
   return parameter.unit.empty() ? words(value) : words(value + " " + parameter.unit);
 }
 
+/// The mark of values that apply at the next start, as in the properties.
+QIcon dotIcon(const QColor& color) {
+  constexpr int kSize = 48;  // [px], reduced by the view
+  QPixmap pixmap(kSize, kSize);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawEllipse(QRectF(0.3 * kSize, 0.3 * kSize, 0.4 * kSize, 0.4 * kSize));
+  return QIcon(pixmap);
+}
+
 }  // namespace
 
 Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
@@ -156,11 +169,21 @@ void Nav2Form::setTheme(const Theme& theme) {
   search_->setTheme(theme);
   accent_ = theme.color(Role::AccentText);
   secondary_ = theme.color(Role::TextSecondary);
+  mark_ = theme.color(Role::WarningMark);
   showValues();
 }
 
-void Nav2Form::show(const std::optional<sim2d::Robot>& robot, const QString& scenarioPath) {
+void Nav2Form::show(const std::optional<sim2d::Robot>& robot, const QString& scenarioPath,
+                    const std::optional<sim2d::Robot>& inRun) {
   robot_ = robot;
+  runValues_.reset();
+  if (inRun) {
+    runValues_.emplace();
+    for (const app::Nav2Parameter& each :
+         app::nav2ParameterListOf(*inRun, scenarioPath.toStdString()).parameters) {
+      runValues_->emplace(each.path, each.value());
+    }
+  }
   scenarioPath_ = scenarioPath;
   app::Nav2ParameterList sheet;
   if (robot_) {
@@ -289,14 +312,26 @@ void Nav2Form::showValues() {
   showHelp();
 }
 
+/// Whether the value differs from that of the shown run.
+bool Nav2Form::isPending(const app::Nav2Parameter& parameter) const {
+  if (!runValues_) {
+    return false;
+  }
+  const auto inRun = runValues_->find(parameter.path);
+  return inRun == runValues_->end() || inRun->second != parameter.value();
+}
+
 void Nav2Form::showRow(std::size_t index) {
   const app::Nav2Parameter& parameter = sheet_.parameters[index];
   QTreeWidgetItem& row = *rows_[index];
   QFont letters = font();
   letters.setWeight(parameter.given ? QFont::DemiBold : QFont::Normal);
   const QString meaning = capitalized(words(parameter.meaning));
+  const bool pending = isPending(parameter);
+  const QString later = pending ? QLatin1Char('\n') + tr("Applies at the next start") : QString();
+  row.setIcon(Nav2ValueColumn, pending ? dotIcon(mark_) : QIcon());
   for (int column = 0; column < Nav2Columns; ++column) {
-    row.setToolTip(column, words(parameter.path) + QLatin1Char('\n') + meaning);
+    row.setToolTip(column, words(parameter.path) + QLatin1Char('\n') + meaning + later);
     if (column > Nav2ValueColumn) {
       row.setForeground(column, secondary_);
     }
@@ -361,9 +396,11 @@ void Nav2Form::showHelp() {
   if (parameter == nullptr) {
     help_->setText(rows_.empty() ? words(sheet_.problems.empty() ? std::string()
                                                                  : sheet_.problems.front().message)
+                   : runValues_  ? tr("Changes take effect at the next start. A dot marks values "
+                                       "that differ from those of the run.")
                                  : tr("Double-click a value to change it. The scenario keeps the "
-                                      "change; the file is only "
-                                      "changed by saving it as a new file."));
+                                       "change; the file is only changed by saving it as a new "
+                                       "file."));
     return;
   }
   QStringList lines;
@@ -373,7 +410,8 @@ void Nav2Form::showHelp() {
   lines << tr("Nav2 default %1").arg(withUnit(parameter->fallback, *parameter)) +
                (parameter->fileValue
                     ? tr(" · in the file %1").arg(withUnit(*parameter->fileValue, *parameter))
-                    : tr(" · not in the file"));
+                    : tr(" · not in the file")) +
+               (isPending(*parameter) ? tr(" · applies at the next start") : QString());
   help_->setText(lines.join(QLatin1Char('\n')));
 }
 

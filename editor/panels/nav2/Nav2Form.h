@@ -34,8 +34,10 @@ class Nav2Form : public QWidget {
  public:
   explicit Nav2Form(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  /// None: no robot with Nav2.
-  void show(const std::optional<sim2d::Robot>& robot, const QString& scenarioPath);
+  /// None: no robot with Nav2. `inRun`: the robot in the shown run, if there is one; values that
+  /// differ from it are marked, because they apply at the next start.
+  void show(const std::optional<sim2d::Robot>& robot, const QString& scenarioPath,
+            const std::optional<sim2d::Robot>& inRun = std::nullopt);
 
   int changedCount() const;  // Number of overridden parameters.
   QString file() const { return QString::fromStdString(sheet_.file); }
@@ -63,6 +65,7 @@ class Nav2Form : public QWidget {
   void buildTabs();
   void showValues();
   void showRow(std::size_t index);
+  bool isPending(const app::Nav2Parameter& parameter) const;
   void showTabs();
   void filter();
   bool isShown(const app::Nav2Parameter& parameter) const;
@@ -78,12 +81,13 @@ class Nav2Form : public QWidget {
   QTreeWidget* tree_ = new QTreeWidget(this);
   QLabel* help_;
   NoMatchesPlaceholder* nothing_;
-  QColor accent_, secondary_;
+  QColor accent_, secondary_, mark_;
   std::optional<sim2d::Robot> robot_;
   QString scenarioPath_;
   app::Nav2ParameterList sheet_;
-  std::map<std::string, QTreeWidgetItem*> groups_;  // By node, and by node and plugin.
-  std::vector<QTreeWidgetItem*> rows_;              // Parallel to sheet_.parameters.
+  std::optional<std::map<std::string, std::string>> runValues_;  // By path; none: no run.
+  std::map<std::string, QTreeWidgetItem*> groups_;               // By node, and by node and plugin.
+  std::vector<QTreeWidgetItem*> rows_;                           // Parallel to sheet_.parameters.
 };
 
 }  // namespace editor

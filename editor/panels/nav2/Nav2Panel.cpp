@@ -32,6 +32,7 @@ Nav2Panel::Nav2Panel(PanelContext& context) : context_(context) {
           &Nav2Panel::followSelection);
   connect(&context.document, &ScenarioDocument::stepFinished, this, &Nav2Panel::refresh);
   connect(&context.document, &ScenarioDocument::pathChanged, this, &Nav2Panel::refresh);
+  connect(&context.document, &ScenarioDocument::runChanged, this, &Nav2Panel::refresh);
   connect(robots_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
     robot_ = EntityId{EntityKind::Robot, robots_->itemData(row).toInt()};
     refresh();
@@ -51,6 +52,8 @@ void Nav2Panel::makeHead() {
   file_->setMinimumWidth(kLeastFile);
   file_->setForegroundRole(QPalette::PlaceholderText);
   file_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  other_ = linkButton(tr("Choose file…"), tr("Use another parameter file (nav2_params.yaml)"), this,
+                      [this] { askOtherFile(); });
   resetAll_ =
       linkButton(tr("Reset all"), tr("Reset all values to those in the file"), this, [this] {
         apply(tr("Reset Nav2 parameters"), [](sim2d::Robot& edited) { edited.nav2Values.clear(); });
@@ -62,6 +65,7 @@ void Nav2Panel::makeHead() {
   QHBoxLayout& head = form_->head();
   head.insertWidget(0, robots_);
   head.addWidget(file_, 2);
+  head.addWidget(other_);
   head.addWidget(resetAll_);
   head.addWidget(save_);
 }
@@ -100,7 +104,10 @@ void Nav2Panel::refresh() {
   const sim2d::Robot* const shown = robot();
   stack_->setCurrentIndex(shown == nullptr ? 0 : 1);
   fillRobots();
-  form_->show(shown == nullptr ? std::nullopt : std::optional(*shown), context_.document.path());
+  const std::optional<Entity> inRun =
+      shown == nullptr ? std::nullopt : context_.document.entityInRun(shown->key);
+  form_->show(shown == nullptr ? std::nullopt : std::optional(*shown), context_.document.path(),
+              inRun ? std::optional(std::get<sim2d::Robot>(*inRun)) : std::nullopt);
   const int changed = form_->changedCount();
   file_->setFullText(QFileInfo(form_->file()).fileName());
   file_->setToolTip(form_->file());
@@ -148,17 +155,37 @@ void Nav2Panel::askFile() {
   }
 }
 
+/// The file as the scenario names it: relative to the scenario if it is near.
+QString Nav2Panel::entryOf(const QString& path) const {
+  const QString scenario = context_.document.path();
+  const QString entry =
+      scenario.isEmpty() ? path : QFileInfo(scenario).absoluteDir().relativeFilePath(path);
+  return entry.startsWith(QLatin1String("../..")) ? path : entry;
+}
+
+void Nav2Panel::askOtherFile() {
+  QFileDialog dialog(window(), tr("Choose Nav2 parameters"), context_.folder(),
+                     tr("Nav2 parameters (*.yaml *.yml)"));
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  const QString path = chosenFiles(dialog, false).value(0);
+  if (!path.isEmpty()) {
+    useFile(path);
+  }
+}
+
+void Nav2Panel::useFile(const QString& path) {
+  apply(tr("Choose Nav2 parameters"),
+        [this, &path](sim2d::Robot& edited) { edited.nav2Params = {entryOf(path).toStdString()}; });
+}
+
 bool Nav2Panel::saveAs(const QString& path) {
   const sim2d::Robot* const shown = robot();
   if (shown == nullptr) {
     return false;
   }
-  const QString scenario = context_.document.path();
-  const QString entry =
-      scenario.isEmpty() ? path : QFileInfo(scenario).absoluteDir().relativeFilePath(path);
-  const base::Result<app::SavedNav2Parameters> saved = app::saveNav2Parameters(
-      *shown, scenario.toStdString(), path.toStdString(),
-      (entry.startsWith(QLatin1String("../..")) ? path : entry).toStdString());
+  const base::Result<app::SavedNav2Parameters> saved =
+      app::saveNav2Parameters(*shown, context_.document.path().toStdString(), path.toStdString(),
+                              entryOf(path).toStdString());
   if (!saved) {
     Q_EMIT context_.problemsFound(saved.diagnostics());
     return false;

@@ -24,6 +24,7 @@ class Nav2Panel : public QWidget {
   /// comments and order of its file are kept. Values that the file cannot contain remain in the
   /// scenario. False: not written, the problems are in the problem list.
   bool saveAs(const QString& path);
+  void useFile(const QString& path);  // As the parameter file of the robot.
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -34,6 +35,8 @@ class Nav2Panel : public QWidget {
   void refresh();
   void fillRobots();
   void askFile();
+  void askOtherFile();
+  QString entryOf(const QString& path) const;
   void apply(const QString& text, const std::function<void(sim2d::Robot&)>& change);
   const sim2d::Robot* robot() const;
 
@@ -42,7 +45,7 @@ class Nav2Panel : public QWidget {
   Nav2Form* form_ = new Nav2Form(this);
   QComboBox* robots_ = new ChoiceField(this);
   ElidedLabel* file_ = new ElidedLabel(this);
-  QToolButton *resetAll_ = nullptr, *save_ = nullptr;
+  QToolButton *other_ = nullptr, *resetAll_ = nullptr, *save_ = nullptr;
   std::optional<EntityId> robot_;
 };
 

@@ -252,6 +252,8 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
   addField<Robot>(section, "nav2_tree", nav2);
   nav2.placeholder = tr("not published");
   addField<Robot>(section, "nav2_topics", nav2);
+  nav2.placeholder.clear();
+  addField<Robot>(section, "nav2_body", nav2);
   nav2.labels = QStringList{tr("Humble"), tr("Jazzy"), tr("Kilted"), tr("Lyrical"), tr("Main")};
   nav2.none = tr("As in the file (default)");
   addField<Robot>(section, "nav2_distro", nav2);
@@ -270,9 +272,9 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
 /// For one robot with Nav2: opens the panel with its parameters.
 void RobotPage::addNav2Section() {
   FormSection* section = addSection(tr("Nav2 parameters"));
-  QToolButton* open =
-      linkButton(tr("Open Nav2 panel"), tr("Open the panel with all parameters of the robot"), this,
-                 [this] { Q_EMIT panelRequested(QStringLiteral("nav2")); });
+  QToolButton* open = linkButton(tr("Open Nav2 panel"),
+                                 tr("Choose the parameter file, and see and change all parameters"),
+                                 this, [this] { Q_EMIT panelRequested(QStringLiteral("nav2")); });
   open->setObjectName(QStringLiteral("nav2_open"));
   section->addRow({}, open);
   QToolButton* body = section->addLink(
