@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "metrics/statistics/PairedTests.h"
@@ -327,6 +328,14 @@ std::size_t constantCells(const Study& study) {
   return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [](const auto& each) {
     return each.second.runs > 1 && each.second.isConstant;
   }));
+}
+
+bool isOneRunPerCell(const Study& study) {
+  std::set<std::pair<std::size_t, std::size_t>> cells;
+  for (std::size_t run = 0; run < study.runCount(); ++run) {
+    cells.emplace(study.optionOf[run], study.caseOf[run]);
+  }
+  return study.options.size() > 1 && !cells.empty() && constantCells(study) == cells.size();
 }
 
 MetricComparison compare(const Study& study, std::size_t metric,

@@ -90,6 +90,10 @@ std::vector<bool> succeedingOptions(const Study& study);
 /// every metric (at least one defined): such runs are not independent.
 std::size_t constantCells(const Study& study);
 
+/// Whether this holds for all combinations of a study of several options: it has only one distinct
+/// run of each, and its tests are meaningless.
+bool isOneRunPerCell(const Study& study);
+
 /// Compares all options by one metric; p values are adjusted over the tests of this metric.
 MetricComparison compare(const Study& study, std::size_t metric,
                          const std::vector<std::vector<std::size_t>>& blocks);

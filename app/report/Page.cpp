@@ -143,7 +143,8 @@ class PageBuilder {
     }
     writeSeedWarning();
     std::string findings;
-    for (const MetricComparison& comparison : comparisons_) {
+    for (const MetricComparison& comparison :
+         isOneRunPerCell(study_) ? Comparisons() : comparisons_) {
       const std::string words = findingMarkup(study_, comparison);
       findings += words.empty() ? "" : element("li", "", words) + "\n";
     }
@@ -160,10 +161,10 @@ class PageBuilder {
     }
     notes_ += paragraph(
         "In " + counted(constant, "combination") +
-            " of option and case, all seeds gave the same values. These runs are counted as "
-            "independent, but they are not: confidence intervals and p values are too small. Make "
-            "the runs depend on the seed (variation in the scenario, sensor noise, random "
-            "arrivals), or interpret the table as one run per combination.",
+            " of option and case, all seeds gave the same values. The tables and figures below "
+            "count these runs as independent, but they are not: confidence intervals and p values "
+            "are too small. Make the runs depend on the seed (variation in the scenario, sensor "
+            "noise, random arrivals), or interpret the tables as one run per combination.",
         " class=\"warning\"");
   }
 

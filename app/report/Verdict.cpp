@@ -149,6 +149,12 @@ std::string winMarkup(const Study& study, const Outcome& outcome) {
              : text;
 }
 
+/// Whether a pair was tested: not if no run has a value, or all runs have the same.
+bool isTested(const MetricComparison& comparison) {
+  return std::any_of(comparison.pairs.begin(), comparison.pairs.end(),
+                     [](const PairResult& pair) { return !std::isnan(pair.p); });
+}
+
 /// "10 seeds", "10 seeds in each of 3 cases".
 std::string sizeText(const Study& study) {
   std::set<long long> seeds;
@@ -184,6 +190,13 @@ std::string winsMarkup(const Study& study, const std::vector<Outcome>& outcomes)
 }  // namespace
 
 std::string verdictMarkup(const Study& study, const Comparisons& comparisons) {
+  if (isOneRunPerCell(study)) {
+    return element("p", " class=\"verdict\"",
+                   "All seeds gave the same values: there is only one distinct run per option" +
+                       std::string(study.cases.size() > 1 ? " and case" : "") +
+                       ", so no difference between options can be tested.") +
+           "\n";
+  }
   std::vector<Outcome> outcomes;
   std::vector<std::string> open;
   std::vector<std::string> never;
@@ -193,7 +206,7 @@ std::string verdictMarkup(const Study& study, const Comparisons& comparisons) {
     const bool isComparable = isSuccess(metric) || ranked > 1;
     if (metric.sense != 0 && !comparison.pairs.empty() && isComparable) {
       outcomes.push_back(outcomeOf(study, comparison));
-      if (outcomes.back().worse.empty() && !outcomes.back().isUnclear) {
+      if (outcomes.back().worse.empty() && !outcomes.back().isUnclear && isTested(comparison)) {
         open.push_back(escaped(metric.name));
       }
     }

@@ -150,6 +150,29 @@ class ReportVerdictTest : public QObject {
     QVERIFY2(!verdict.contains(QStringLiteral("Metric B")), qPrintable(verdict));
   }
 
+  /// Eight times the same run of each option is one run of each: no test, and no "better".
+  void verdict_allSeedsAlike_claimsNothing() {
+    const Study same = studyOf({std::vector<double>(8, -1.0), std::vector<double>(8, 2.0)});
+    QVERIFY(isOneRunPerCell(same));
+    QCOMPARE(plain(verdictMarkup(same, comparedAll(same))),
+             QStringLiteral("All seeds gave the same values: there is only one distinct run per "
+                            "option, so no difference between options can be tested."));
+    // One option that depends on the seed is enough for pairs that differ.
+    QVERIFY(!isOneRunPerCell(studyOf({kAllLower})));
+  }
+
+  /// The number of tests is that of the metrics named.
+  void verdict_metricWithoutATest_isNotNamed() {
+    Study study = studyOf({kAllLower, kUnclear, kUnclear});
+    std::fill(study.results.metrics[2].begin(), study.results.metrics[2].end(), std::nan(""));
+    const Comparisons all = comparedAll(study);
+    const QString verdict = plain(verdictMarkup(study, all));
+    QVERIFY2(verdict.contains(QStringLiteral("no difference could be shown in Metric B.")),
+             qPrintable(verdict));
+    QVERIFY2(!verdict.contains(QStringLiteral("Metric C")), qPrintable(verdict));
+    QVERIFY2(verdict.contains(QStringLiteral("over 2 tests")), qPrintable(verdict));
+  }
+
   void verdict_neutralOrSingleOption_isEmpty() {
     Study study = studyOf({kAllLower});
     study.metrics[0].sense = 0;
