@@ -148,7 +148,7 @@ bool Docks::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Docks::add(const editor::PanelRegistry::Entry& entry) {
-  const auto& [order, title, area, isTab, initialHeight, isOpen] = entry.info;
+  const auto& [order, title, area, isTab, initialHeight, isOpen, isCounted] = entry.info;
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(sourceText(title).toLower());
   dock->setTitleBarWidget(new DockTitle(*dock));
@@ -175,6 +175,7 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
     open_.push_back(dock);
   }
   addToggle(*dock);
+  toggleOf(*dock)->setProperty(kCountedProperty, isCounted);
   if (initialHeight > 0) {
     ensureHeight(*dock, initialHeight);
   }

@@ -7,6 +7,10 @@
 
 namespace app {
 
+/// Property of the action of a panel that shows a count in each session: its button keeps the space
+/// for it.
+constexpr const char* kCountedProperty = "counted";
+
 /// The dock panels around the canvas from a registry, and the timeline across the full width.
 class Docks : public QObject {
   Q_OBJECT

@@ -1,5 +1,6 @@
 #include "app/window/StatusLine.h"
 
+#include "app/window/Docks.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
@@ -15,6 +16,7 @@ using editor::SimulationRunner;
 namespace {
 
 constexpr int kPanelButton = 18;  // height [px]
+constexpr int kMarkSpace = 18;    // [px], for the icon of the most severe problem
 
 QPixmap dotPixmap(const QColor& color) {
   constexpr int kRatio = 3;
@@ -156,9 +158,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   hint_->setContentsMargins(8, 0, 0, 0);
   hint_->setForegroundRole(QPalette::PlaceholderText);
   bar_.addWidget(hint_, 1);
-  x_ = addRight(72);
-  y_ = addRight(72);
-  cellLabel_ = addRight(60);
+  position_ = addRight(136);
   zoom_ = addRight(64);
   seed_ = addRight(56);
   speed_ = addRight(88);
@@ -224,6 +224,10 @@ void StatusLine::addPanels(const QList<QAction*>& toggles) {
     button->setFocusPolicy(Qt::NoFocus);  // each has a shortcut
     button->setFixedHeight(kPanelButton);
     row->addWidget(button);
+    if (toggle->property(kCountedProperty).toBool()) {
+      button->setMinimumWidth(button->sizeHint().width() + kMarkSpace +
+                              button->fontMetrics().horizontalAdvance(QStringLiteral("  888")));
+    }
     connect(toggle, &QAction::changed, button, [button] { reserveDigits(*button); });
     reserveDigits(*button);
   }
@@ -238,7 +242,7 @@ void StatusLine::addPanels(const QList<QAction*>& toggles) {
 void StatusLine::setIdle(bool idle) {
   idle_ = idle;
   panels_->setVisible(!idle);
-  for (QLabel* label : {x_, y_, cellLabel_, zoom_, seed_}) {
+  for (QLabel* label : {position_, zoom_, seed_}) {
     label->setVisible(!idle);
   }
   showState();
@@ -283,30 +287,30 @@ void StatusLine::showState() {
   showNumbers();
 }
 
+/// "1.25, 3.20 m · free"
 void StatusLine::showPosition(const base::Vec2& world) {
-  x_->setText(tr("x %1 m").arg(world.x(), 0, 'f', 2));
-  y_->setText(tr("y %1 m").arg(world.y(), 0, 'f', 2));
+  const auto show = [&](const QString& cell) {
+    position_->setText(
+        tr("%1, %2 m · %3").arg(world.x(), 0, 'f', 2).arg(world.y(), 0, 'f', 2).arg(cell));
+  };
   const std::shared_ptr<const sim2d::OccupancyGrid> map = workspace_.document().map();
   if (map == nullptr || workspace_.scene().isOpenPlane()) {
-    cellLabel_->setText(tr("open"));
+    show(tr("open"));
     return;
   }
   const sim2d::Cell cell = map->worldToCell(world);
-  const bool inside = map->contains(cell);
-  cellLabel_->setText(!inside                ? tr("outside")
-                      : map->isWall(cell)    ? tr("wall")
-                      : map->isUnknown(cell) ? tr("unknown")
-                                             : tr("free"));
+  show(!map->contains(cell)   ? tr("outside")
+       : map->isWall(cell)    ? tr("wall")
+       : map->isUnknown(cell) ? tr("unknown")
+                              : tr("free"));
 }
 
 void StatusLine::showMousePosition() {
   const QWidget& canvas = *workspace_.view().viewport();
   if (canvas.underMouse()) {
     showPosition(workspace_.view().worldAt(canvas.mapFromGlobal(QCursor::pos())));
-    return;
-  }
-  for (QLabel* label : {x_, y_, cellLabel_}) {
-    label->clear();
+  } else {
+    position_->clear();
   }
 }
 

@@ -35,7 +35,7 @@ class StatusLine : public QObject {
   QLabel *dot_ = new QLabel, *state_ = new QLabel;
   editor::ElidedLabel* hint_ = new editor::ElidedLabel(nullptr);
   QWidget* panels_ = nullptr;
-  QLabel *x_, *y_, *cellLabel_, *zoom_, *seed_, *speed_;
+  QLabel *position_, *zoom_, *seed_, *speed_;
 };
 
 }  // namespace app

@@ -91,7 +91,7 @@ class EventsPanel : public QWidget {
 }  // namespace
 
 void addEventsPanel(PanelRegistry& to) {
-  to.add(closedBottomPanel(70, QObject::tr("Events")),
+  to.add(closedBottomPanel(70, QObject::tr("Events"), true),
          [](PanelContext& context) { return new EventsPanel(context); });
 }
 

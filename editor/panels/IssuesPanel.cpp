@@ -291,7 +291,7 @@ bool IssuesPanel::hasErrors() const {
 }
 
 void addIssuesPanel(PanelRegistry& to) {
-  to.add(closedBottomPanel(50, QObject::tr("Issues")), [](PanelContext& context) {
+  to.add(closedBottomPanel(50, QObject::tr("Issues"), true), [](PanelContext& context) {
     auto* panel = new IssuesPanel(context.document, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &IssuesPanel::setTheme);
     QObject::connect(panel, &IssuesPanel::countChanged, &context, [&context, panel](int count) {

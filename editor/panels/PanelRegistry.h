@@ -64,14 +64,15 @@ struct PanelInfo {
   int order = 0;  // Ascending in the menu and in its area.
   QString title;  // In English and lower case also the name for --dock.
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
-  bool isTab = true;      // A tab of its area; otherwise below the existing panels.
-  int initialHeight = 0;  // Height of its area when first shown [px]; 0: unchanged.
-  bool isOpen = true;     // Initially.
+  bool isTab = true;       // A tab of its area; otherwise below the existing panels.
+  int initialHeight = 0;   // Height of its area when first shown [px]; 0: unchanged.
+  bool isOpen = true;      // Initially.
+  bool isCounted = false;  // Shows a count in each session; see PanelContext::counted().
 };
 
 /// A panel below the canvas that is closed by default to leave space for the map.
-inline PanelInfo closedBottomPanel(int order, const QString& title) {
-  return {order, title, Qt::BottomDockWidgetArea, true, 232, false};
+inline PanelInfo closedBottomPanel(int order, const QString& title, bool isCounted = false) {
+  return {order, title, Qt::BottomDockWidgetArea, true, 232, false, isCounted};
 }
 
 /// The panels in order. Each file `panels/<Name>Panel.cpp` registers its panel in a function void

@@ -190,10 +190,15 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->open(quiet::demoPath()));
     editor::MapView& view = window_->workspace().view();
     Q_EMIT view.cursorMoved(base::Vec2(1.25, 2.5));
-    QVERIFY(isSaid(utf8("x 1.25 m")));
+    const auto isShown = [this] {
+      return widgets::findIf<QLabel>(*window_->statusBar(), [](const QLabel* label) {
+               return label->text().startsWith(utf8("1.25, 2.50 m"));
+             }) != nullptr;
+    };
+    QVERIFY(isShown());
     window_->actions().newOpenPlane->trigger();
     QCoreApplication::processEvents();
-    QVERIFY(!isSaid(utf8("x 1.25 m")));
+    QVERIFY(!isShown());
   }
 
   void imageMap_createsNothingBeforeItsSizeIsKnown() {

@@ -85,9 +85,9 @@ class MainWindowTest : public QObject {
       return widgets::withText<QLabel>(*window_->statusBar(), word) != nullptr;
     };
     Q_EMIT view().cursorMoved(base::Vec2(5.0, 2.0));
-    QVERIFY(says(QStringLiteral("unknown")));
+    QVERIFY(says(QStringLiteral("5.00, 2.00 m · unknown")));
     Q_EMIT view().cursorMoved(base::Vec2(5.0, 8.0));
-    QVERIFY(says(QStringLiteral("free")));
+    QVERIFY(says(QStringLiteral("5.00, 8.00 m · free")));
   }
 
   void mouse_personAndGoal_placedAssignedSavedReopened() {

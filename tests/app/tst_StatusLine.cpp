@@ -161,15 +161,19 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
       }
       return all;
     };
+    QCoreApplication::processEvents();
+    const QStringList before = places();
+    QVERIFY(before.size() >= 4);
     runner().setSpeed(std::numeric_limits<double>::infinity());
     runner().stepOnce();
     QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step >= 1);
     editor::PanelContext& context = window_->docks().context();
     auto* events = window_->docks().dock(QStringLiteral("events"))->widget();
+    auto* issues = window_->docks().dock(QStringLiteral("issues"))->widget();
     Q_EMIT context.counted(events, 1, base::Severity::Info);
+    Q_EMIT context.counted(issues, 2, base::Severity::Warning);
     QCoreApplication::processEvents();
-    const QStringList before = places();
-    QVERIFY(before.size() >= 4);
+    QCOMPARE(places(), before);
     runner().play();
     QCOMPARE(runner().state(), SimulationRunner::State::Running);
     QCoreApplication::processEvents();
