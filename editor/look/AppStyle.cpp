@@ -5,6 +5,7 @@
 
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
+#include "editor/look/WrappedToolTips.h"
 
 namespace editor {
 
@@ -41,10 +42,14 @@ void applyTheme(const Theme& theme) {
     style->setTheme(theme);
   } else {
     QApplication::setStyle(new AppStyle(theme));
+    qApp->installEventFilter(new WrappedToolTips(qApp));
   }
   // The application owns its style: NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
   QApplication::setFont(theme.font());
   QApplication::setPalette(theme.palette());
+  for (const char* field : {"QLineEdit", "QTextEdit", "QPlainTextEdit"}) {
+    QApplication::setPalette(theme.textPalette(), field);
+  }
 }
 
 AppStyle::AppStyle(const Theme& theme) : QProxyStyle(QStringLiteral("Fusion")), theme_(theme) {}
@@ -136,7 +141,8 @@ QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, 
       break;
     case CT_ItemViewItem:
       result.setHeight(std::max(result.height(), kRowHeight));
-      result.rwidth() += endsTableRow(option, widget) ? kTableInset : 0;
+      result.rwidth() += (endsTableRow(option, widget) ? kTableInset : 0) +
+                         (followsNumbers(*option) ? kColumnGap : 0);
       break;
     case CT_ToolButton:
       if (widget != nullptr && widget->property(kLinkProperty).toBool()) {
@@ -215,6 +221,9 @@ bool AppStyle::drawSimple(PrimitiveElement element, const QStyleOption& option, 
       painter.fillRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1,
                        theme_.color(Role::Line));
       return true;
+    case PE_PanelScrollAreaCorner:
+      painter.fillRect(option.rect, theme_.color(Role::Panel));
+      return true;
     case PE_PanelItemViewRow:
     case PE_PanelMenuBar:
     case PE_FrameStatusBarItem:
@@ -282,10 +291,11 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
       break;
     case CE_HeaderLabel: {
       const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);
-      drawn = header != nullptr && header->section == 0;
+      const bool isAfterNumbers = header != nullptr && followsNumbers(*header, widget);
+      drawn = header != nullptr && (header->section == 0 || isAfterNumbers);
       if (drawn) {  // Aligned with the cells below.
         QStyleOptionHeader label = *header;
-        label.rect.adjust(kTableInset, 0, 0, 0);
+        label.rect.adjust(isAfterNumbers ? kColumnGap : kTableInset, 0, 0, 0);
         if ((int(header->textAlignment) & Qt::TextWordWrap) == 0) {
           label.text = label.fontMetrics.elidedText(label.text, Qt::ElideMiddle,
                                                     label.rect.width() - kHeadingGap);

@@ -65,6 +65,12 @@ constexpr int kTableInset = 8;  // Padding before the first and after the last t
 constexpr int kListInset = 6;   // Horizontal padding of list rows [px].
 /// Returns true if an item is the last one in a table row.
 bool endsTableRow(const QStyleOption* option, const QWidget* widget);
+constexpr int kColumnGap =
+    8;  // Between right-aligned numbers and the text of the next column [px].
+/// Whether the cell has left-aligned text beside a column of right-aligned cells.
+bool followsNumbers(const QStyleOption& cell);
+/// The same for a heading of a table or tree.
+bool followsNumbers(const QStyleOptionHeader& heading, const QWidget* header);
 /// The text with a count at its end, "Events  7", padded to three digits, so that the width of its
 /// tab or button does not change while the count grows. Other texts are unchanged.
 QString withReservedDigits(const QString& text);

@@ -249,6 +249,27 @@ bool endsTableRow(const QStyleOption* option, const QWidget* widget) {
          item->index.model()->columnCount();
 }
 
+bool followsNumbers(const QStyleOption& cell) {
+  const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(&cell);
+  if (item == nullptr || item->index.column() < 1 || item->displayAlignment & Qt::AlignRight) {
+    return false;
+  }
+  const QModelIndex before = item->index.sibling(item->index.row(), item->index.column() - 1);
+  return (before.data(Qt::TextAlignmentRole).toInt() & Qt::AlignRight) != 0;
+}
+
+bool followsNumbers(const QStyleOptionHeader& heading, const QWidget* header) {
+  const auto* view = qobject_cast<const QHeaderView*>(header);
+  if (view == nullptr || view->model() == nullptr || heading.section < 1 ||
+      heading.orientation != Qt::Horizontal || heading.textAlignment & Qt::AlignRight) {
+    return false;
+  }
+  const QVariant own =
+      view->model()->headerData(heading.section - 1, Qt::Horizontal, Qt::TextAlignmentRole);
+  const int before = own.isValid() ? own.toInt() : int(view->defaultAlignment());
+  return (before & Qt::AlignRight) != 0;
+}
+
 /// Keeps the colours of marks in selected rows.
 QPixmap AppStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
                                       const QStyleOption* option) const {
@@ -265,7 +286,8 @@ QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option,
       return alone ? rect.adjusted(4, 0, -2, 0) : rect;
     }
     case SE_ItemViewItemText:
-      rect.adjust(0, 0, endsTableRow(option, widget) ? -kTableInset : 0, 0);
+      rect.adjust(option != nullptr && followsNumbers(*option) ? kColumnGap : 0, 0,
+                  endsTableRow(option, widget) ? -kTableInset : 0, 0);
       [[fallthrough]];
     case SE_ItemViewItemDecoration:
       if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);

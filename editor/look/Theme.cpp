@@ -141,6 +141,15 @@ QPalette Theme::palette() const {
   return result;
 }
 
+QPalette Theme::textPalette() const {
+  constexpr double kLight = 0.3;
+  constexpr double kDark = 0.45;
+  QPalette result = palette();
+  result.setColor(QPalette::Highlight,
+                  mixed(color(Role::Field), color(Role::Accent), isDark_ ? kDark : kLight));
+  return result;
+}
+
 QFont Theme::font(double points, QFont::Weight weight) const {
   QFont result = QGuiApplication::font();  // The cached system font; querying the system is slow.
   result.setPointSizeF(points);

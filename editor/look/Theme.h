@@ -83,7 +83,8 @@ class Theme {
   QColor head(Look look) const { return mixed(fill(look), Qt::white, 0.72); }  // A light tint.
   QColor feet(Look look) const { return mixed(fill(look), Qt::black, 0.5); }   // Darker.
 
-  QPalette palette() const;  // For QApplication::setPalette with the Fusion style.
+  QPalette palette() const;      // For QApplication::setPalette with the Fusion style.
+  QPalette textPalette() const;  // The same for text fields: selected text is clearly visible.
   QFont font(double points = 9.0, QFont::Weight weight = QFont::Normal) const;
   QFont figureFont(double points = 9.0) const;  // With tabular digits where the font has them.
 

@@ -82,6 +82,7 @@ void styleTable(QTableView& table, const QString& name) {
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::SingleSelection);
   table.horizontalHeader()->setTextElideMode(Qt::ElideMiddle);
+  table.horizontalHeader()->setHighlightSections(false);  // Titles keep their width.
   table.verticalHeader()->hide();
   table.verticalHeader()->setDefaultSectionSize(kListRowHeight);
 }

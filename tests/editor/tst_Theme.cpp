@@ -1,7 +1,13 @@
 #include <QDir>
+#include <QHelpEvent>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QPixmapCache>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QTabBar>
+#include <QTableWidget>
+#include <QToolTip>
 #include <QtTest>
 
 #include "editor/look/AppStyle.h"
@@ -142,6 +148,79 @@ class ThemeTest : public QObject {
 
   void icon_unknown_isNull() {
     QVERIFY(themedIcon(QStringLiteral("nothing"), Theme::light()).isNull());
+  }
+
+  /// Selected text in a field stands out from the field and can be read.
+  void selectedText_inAField_isVisible() {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+      const QPalette colors = theme.textPalette();
+      const QColor band = colors.color(QPalette::Highlight);
+      QVERIFY(contrastRatio(colors.color(QPalette::HighlightedText), band) >= 4.5);
+      QVERIFY(contrastRatio(band, colors.color(QPalette::Base)) >= 1.35);
+      QCOMPARE(colors.color(QPalette::Text), theme.palette().color(QPalette::Text));
+    }
+    applyTheme(Theme::light());
+    const QLineEdit field;
+    QCOMPARE(field.palette().color(QPalette::Highlight),
+             Theme::light().textPalette().color(QPalette::Highlight));
+  }
+
+  /// Beside right-aligned numbers a text begins farther away; numbers and other texts stay.
+  void columns_textBesideNumbers_hasAGap() {
+    applyTheme(Theme::light());
+    QTableWidget table(1, 3);
+    for (int column = 0; column < 3; ++column) {
+      table.setItem(0, column, new QTableWidgetItem(QStringLiteral("m")));
+    }
+    table.setColumnCount(4);  // the last column has an inset of its own
+    table.item(0, 0)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    const auto leftOf = [&table](int column) {
+      QStyleOptionViewItem cell;
+      cell.index = table.model()->index(0, column);
+      cell.rect = QRect(0, 0, 100, 24);
+      cell.features = QStyleOptionViewItem::HasDisplay;
+      cell.displayAlignment = Qt::AlignLeft | Qt::AlignVCenter;
+      cell.text = QStringLiteral("m");
+      return table.style()->subElementRect(QStyle::SE_ItemViewItemText, &cell, &table).left();
+    };
+    QCOMPARE(leftOf(1) - leftOf(2), kColumnGap);
+  }
+
+  /// A tooltip of a widget and of a list row; a short one is left to Qt.
+  void toolTip_long_isWrapped() {
+    applyTheme(Theme::light());
+    const QString words = QStringLiteral("Several words that explain a value. ");
+    QListWidget list;
+    list.resize(200, 100);
+    list.addItem(QStringLiteral("row"));
+    list.item(0)->setToolTip(words.repeated(8).trimmed());
+    list.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&list));
+    const auto hover = [](QWidget& widget, const QPoint& at) {
+      QHelpEvent help(QEvent::ToolTip, at, widget.mapToGlobal(at));
+      QApplication::sendEvent(&widget, &help);
+      for (QWidget* each : QApplication::topLevelWidgets()) {
+        if (each->inherits("QTipLabel") && each->isVisible()) {
+          return each->width();
+        }
+      }
+      return 0;
+    };
+    const int oneLine = list.fontMetrics().horizontalAdvance(words.repeated(8));
+    const int wrapped = hover(*list.viewport(), list.visualItemRect(list.item(0)).center());
+    QVERIFY2(wrapped > 100 && wrapped < oneLine / 2, qPrintable(QString::number(wrapped)));
+    QVERIFY(QToolTip::text().contains(words.trimmed()));
+    list.viewport()->setToolTip(QString());
+    QPushButton button;
+    button.setToolTip(words.repeated(8).trimmed());
+    button.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&button));
+    QToolTip::hideText();
+    const int again = hover(button, button.rect().center());
+    QVERIFY2(again > 100 && again < oneLine / 2, qPrintable(QString::number(again)));
+    button.setToolTip(QStringLiteral("Short"));
+    hover(button, button.rect().center());
+    QCOMPARE(QToolTip::text(), QStringLiteral("Short"));
   }
 
   void style_fields_haveTheHeightOfTheHouse() {

@@ -17,6 +17,7 @@ constexpr int kIntervalRowHeight = 40;
 constexpr int kLeastColumn = 48;
 constexpr int kMostColumn = 240;
 constexpr int kColumnMargin = 32;  // beside a title, including the sort arrow
+constexpr int kFirstInset = 8;     // before the first title
 enum Page { NothingPage, ComparisonPage, RunsPage };
 enum IntervalPart { Low, Mean, High, ScaleLow, ScaleHigh, IntervalParts };
 
@@ -88,7 +89,7 @@ int columnWidth(const QTableView& table, int column) {
   for (const QString& word : title.split(QLatin1Char(' '))) {
     lines = std::max(lines, metrics.horizontalAdvance(word));
   }
-  lines += kColumnMargin;
+  lines += kColumnMargin + (column == 0 ? kFirstInset : 0);
   const int cells = static_cast<const QAbstractItemView&>(table).sizeHintForColumn(column);
   return std::clamp(std::max(lines, cells + kColumnMargin / 2), kLeastColumn, kMostColumn);
 }
