@@ -3347,16 +3347,16 @@ Pulse las teclas para la orden seleccionada</translation>
         <translation>Importar trayectorias…</translation>
     </message>
     <message>
-        <source>Recorded people: CSV, JuPedSim, TrajNet++, …</source>
-        <translation>Personas grabadas: CSV, JuPedSim, TrajNet++, …</translation>
-    </message>
-    <message>
         <source>Recent</source>
         <translation>Recientes</translation>
     </message>
     <message>
         <source>No recent files. Open a scenario on the right, or take the guided tour.</source>
         <translation>No hay archivos recientes. Abra un escenario de la derecha o haga la visita guiada.</translation>
+    </message>
+    <message>
+        <source>CSV, JuPedSim, TrajNet++ and others</source>
+        <translation>CSV, JuPedSim, TrajNet++ y otros</translation>
     </message>
 </context>
 <context>
@@ -3466,14 +3466,6 @@ Pulse las teclas para la orden seleccionada</translation>
         <translation>Haga clic en un escenario para abrirlo · Espacio lo ejecuta</translation>
     </message>
     <message>
-        <source>x %1 m</source>
-        <translation>x %1 m</translation>
-    </message>
-    <message>
-        <source>y %1 m</source>
-        <translation>y %1 m</translation>
-    </message>
-    <message>
         <source>open</source>
         <translation>abierto</translation>
     </message>
@@ -3504,6 +3496,10 @@ Pulse las teclas para la orden seleccionada</translation>
     <message>
         <source>%1 × real time</source>
         <translation>%1 × tiempo real</translation>
+    </message>
+    <message>
+        <source>%1, %2 m · %3</source>
+        <translation>%1, %2 m · %3</translation>
     </message>
 </context>
 <context>
@@ -3612,6 +3608,10 @@ Pulse las teclas para la orden seleccionada</translation>
         <source>No scenarios: add or drop files here</source>
         <translation>No hay escenarios: añada o suelte archivos aquí</translation>
     </message>
+    <message>
+        <source>Save the open scenario first, or add files</source>
+        <translation>Guarde primero el escenario abierto, o añada archivos</translation>
+    </message>
 </context>
 <context>
     <name>app::StudyPanel</name>
@@ -3662,10 +3662,6 @@ Pulse las teclas para la orden seleccionada</translation>
     <message>
         <source>Experiments (*.yaml *.yml)</source>
         <translation>Experimentos (*.yaml *.yml)</translation>
-    </message>
-    <message>
-        <source>unsaved changes of %1 are not used</source>
-        <translation>no se usan los cambios sin guardar de %1</translation>
     </message>
     <message>
         <source>%1 of %2 finished</source>
@@ -3726,6 +3722,42 @@ Pulse las teclas para la orden seleccionada</translation>
     <message>
         <source>Writing the report…</source>
         <translation>Escribiendo el informe…</translation>
+    </message>
+    <message>
+        <source>All seeds have the same people: to vary them, set &quot;Variation between seeds&quot; in the properties of the scenario</source>
+        <translation>Todas las semillas tienen las mismas personas: para variarlas, ajuste «Variación entre semillas» en las propiedades del escenario</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nuevo</translation>
+    </message>
+    <message>
+        <source>Begin a new study of the open scenario</source>
+        <translation>Empezar un estudio nuevo del escenario abierto</translation>
+    </message>
+    <message>
+        <source>Save and start</source>
+        <translation>Guardar e iniciar</translation>
+    </message>
+    <message>
+        <source>Save the open scenario, then start</source>
+        <translation>Guardar el escenario abierto y después iniciar</translation>
+    </message>
+    <message>
+        <source>Start without them</source>
+        <translation>Iniciar sin ellos</translation>
+    </message>
+    <message>
+        <source>Run the file as it was last saved</source>
+        <translation>Usar el archivo tal como se guardó por última vez</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes, which this study would not use</source>
+        <translation>%1 tiene cambios sin guardar, que este estudio no usaría</translation>
+    </message>
+    <message>
+        <source>Save %1 before the start: it has unsaved changes</source>
+        <translation>Guarde %1 antes de iniciar: tiene cambios sin guardar</translation>
     </message>
 </context>
 <context>
@@ -6056,6 +6088,18 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <source>Find a Nav2 parameter</source>
         <translation>Buscar un parámetro de Nav2</translation>
     </message>
+    <message>
+        <source>Applies at the next start</source>
+        <translation>Se aplica en el próximo inicio</translation>
+    </message>
+    <message>
+        <source>Changes take effect at the next start. A dot marks values that differ from those of the run.</source>
+        <translation>Los cambios se aplican en el próximo inicio. Un punto marca los valores distintos de los de la simulación.</translation>
+    </message>
+    <message>
+        <source> · applies at the next start</source>
+        <translation> · se aplica en el próximo inicio</translation>
+    </message>
 </context>
 <context>
     <name>editor::Nav2Panel</name>
@@ -6106,6 +6150,18 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Save Nav2 parameters</source>
         <translation>Guardar los parámetros de Nav2</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Elegir archivo…</translation>
+    </message>
+    <message>
+        <source>Use another parameter file (nav2_params.yaml)</source>
+        <translation>Usar otro archivo de parámetros (nav2_params.yaml)</translation>
+    </message>
+    <message>
+        <source>Choose Nav2 parameters</source>
+        <translation>Elegir parámetros de Nav2</translation>
     </message>
 </context>
 <context>
@@ -6904,10 +6960,6 @@ Segundos simulados por segundo real</translation>
         <translation>Abrir panel Nav2</translation>
     </message>
     <message>
-        <source>Open the panel with all parameters of the robot</source>
-        <translation>Abrir el panel con todos los parámetros del robot</translation>
-    </message>
-    <message>
         <source>Use body</source>
         <translation>Usar cuerpo</translation>
     </message>
@@ -6958,6 +7010,10 @@ Segundos simulados por segundo real</translation>
     <message>
         <source>ends the run</source>
         <translation>termina la ejecución</translation>
+    </message>
+    <message>
+        <source>Choose the parameter file, and see and change all parameters</source>
+        <translation>Elegir el archivo de parámetros, y ver y cambiar todos los parámetros</translation>
     </message>
 </context>
 <context>

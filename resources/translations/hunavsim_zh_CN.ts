@@ -3347,16 +3347,16 @@ Press the keys for the selected command</source>
         <translation>导入轨迹…</translation>
     </message>
     <message>
-        <source>Recorded people: CSV, JuPedSim, TrajNet++, …</source>
-        <translation>已录制的行人：CSV、JuPedSim、TrajNet++、…</translation>
-    </message>
-    <message>
         <source>Recent</source>
         <translation>最近</translation>
     </message>
     <message>
         <source>No recent files. Open a scenario on the right, or take the guided tour.</source>
         <translation>没有最近的文件。请打开右侧的场景，或参加新手引导。</translation>
+    </message>
+    <message>
+        <source>CSV, JuPedSim, TrajNet++ and others</source>
+        <translation>CSV、JuPedSim、TrajNet++ 等</translation>
     </message>
 </context>
 <context>
@@ -3466,14 +3466,6 @@ Press the keys for the selected command</source>
         <translation>单击场景将其打开 · 空格键运行</translation>
     </message>
     <message>
-        <source>x %1 m</source>
-        <translation>x %1 m</translation>
-    </message>
-    <message>
-        <source>y %1 m</source>
-        <translation>y %1 m</translation>
-    </message>
-    <message>
         <source>open</source>
         <translation>开阔</translation>
     </message>
@@ -3504,6 +3496,10 @@ Press the keys for the selected command</source>
     <message>
         <source>%1 × real time</source>
         <translation>%1 × 实时</translation>
+    </message>
+    <message>
+        <source>%1, %2 m · %3</source>
+        <translation>%1, %2 m · %3</translation>
     </message>
 </context>
 <context>
@@ -3612,6 +3608,10 @@ Press the keys for the selected command</source>
         <source>No scenarios: add or drop files here</source>
         <translation>没有场景：在此处添加或拖放文件</translation>
     </message>
+    <message>
+        <source>Save the open scenario first, or add files</source>
+        <translation>请先保存打开的场景，或添加文件</translation>
+    </message>
 </context>
 <context>
     <name>app::StudyPanel</name>
@@ -3662,10 +3662,6 @@ Press the keys for the selected command</source>
     <message>
         <source>Experiments (*.yaml *.yml)</source>
         <translation>实验 (*.yaml *.yml)</translation>
-    </message>
-    <message>
-        <source>unsaved changes of %1 are not used</source>
-        <translation>不使用 %1 的未保存更改</translation>
     </message>
     <message>
         <source>%1 of %2 finished</source>
@@ -3726,6 +3722,42 @@ Press the keys for the selected command</source>
     <message>
         <source>Writing the report…</source>
         <translation>正在写入报告…</translation>
+    </message>
+    <message>
+        <source>All seeds have the same people: to vary them, set &quot;Variation between seeds&quot; in the properties of the scenario</source>
+        <translation>所有种子的行人都相同：要使其变化，请在场景属性中设置“种子间的变化”</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新建</translation>
+    </message>
+    <message>
+        <source>Begin a new study of the open scenario</source>
+        <translation>为打开的场景新建研究</translation>
+    </message>
+    <message>
+        <source>Save and start</source>
+        <translation>保存并开始</translation>
+    </message>
+    <message>
+        <source>Save the open scenario, then start</source>
+        <translation>保存打开的场景，然后开始</translation>
+    </message>
+    <message>
+        <source>Start without them</source>
+        <translation>不保存，直接开始</translation>
+    </message>
+    <message>
+        <source>Run the file as it was last saved</source>
+        <translation>使用上次保存的文件</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes, which this study would not use</source>
+        <translation>%1 有未保存的更改，本研究不会使用它们</translation>
+    </message>
+    <message>
+        <source>Save %1 before the start: it has unsaved changes</source>
+        <translation>开始前请保存 %1：它有未保存的更改</translation>
     </message>
 </context>
 <context>
@@ -6056,6 +6088,18 @@ For each seed, all planners run with the same people.</source>
         <source>Find a Nav2 parameter</source>
         <translation>查找 Nav2 参数</translation>
     </message>
+    <message>
+        <source>Applies at the next start</source>
+        <translation>下次启动时生效</translation>
+    </message>
+    <message>
+        <source>Changes take effect at the next start. A dot marks values that differ from those of the run.</source>
+        <translation>更改在下次启动时生效。圆点标记与本次运行不同的值。</translation>
+    </message>
+    <message>
+        <source> · applies at the next start</source>
+        <translation> · 下次启动时生效</translation>
+    </message>
 </context>
 <context>
     <name>editor::Nav2Panel</name>
@@ -6106,6 +6150,18 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Save Nav2 parameters</source>
         <translation>保存 Nav2 参数</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>Use another parameter file (nav2_params.yaml)</source>
+        <translation>使用其他参数文件 (nav2_params.yaml)</translation>
+    </message>
+    <message>
+        <source>Choose Nav2 parameters</source>
+        <translation>选择 Nav2 参数</translation>
     </message>
 </context>
 <context>
@@ -6904,10 +6960,6 @@ Simulated seconds per real second</source>
         <translation>打开 Nav2 面板</translation>
     </message>
     <message>
-        <source>Open the panel with all parameters of the robot</source>
-        <translation>打开包含机器人全部参数的面板</translation>
-    </message>
-    <message>
         <source>Use body</source>
         <translation>使用机体</translation>
     </message>
@@ -6958,6 +7010,10 @@ Simulated seconds per real second</source>
     <message>
         <source>ends the run</source>
         <translation>结束运行</translation>
+    </message>
+    <message>
+        <source>Choose the parameter file, and see and change all parameters</source>
+        <translation>选择参数文件，查看并更改所有参数</translation>
     </message>
 </context>
 <context>

@@ -344,7 +344,7 @@ bool StudyPanel::hasUnsavedScenario() const {
 QStringList StudyPanel::messagesFor(const base::Result<Experiment>& checked) const {
   QStringList words = {sizeText(*checked)};
   if (hasUnsavedScenario()) {
-    words.append(tr("Start uses %1 only after saving: it has unsaved changes")
+    words.append(tr("Save %1 before the start: it has unsaved changes")
                      .arg(context_.document.displayName()));
   }
   if (!checked.diagnostics().empty()) {
