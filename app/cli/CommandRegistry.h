@@ -22,8 +22,14 @@ namespace app {
 
 class BatchFolder;
 
-/// Exit codes of the program.
-enum ExitCode { ExitFine = 0, ExitRunFailed = 1, ExitBadInput = 2, ExitWrongCommandLine = 64 };
+/// Exit codes of the program. `gate` uses ExitRunFailed for a worse candidate.
+enum ExitCode {
+  ExitFine = 0,
+  ExitRunFailed = 1,
+  ExitBadInput = 2,
+  ExitUndecided = 3,  // of `gate`
+  ExitWrongCommandLine = 64
+};
 
 /// The Qt libraries that a command needs: only the core, or also those for pictures, which need no
 /// display.

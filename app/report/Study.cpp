@@ -13,9 +13,9 @@
 
 #include "app/run/Experiment.h"
 #include "app/run/ManifestFiles.h"
+#include "app/run/ResultRow.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
-#include "sim2d/world/Runner.h"
 
 namespace report {
 
@@ -268,33 +268,11 @@ std::optional<std::string> Study::runFolder(std::size_t run) const {
 }
 
 std::string Study::outcomeText(std::size_t run) const {
-  if (!results.runs[run].ok) {
-    return results.runs[run].reason.empty() ? "failed" : results.runs[run].reason;
-  }
-  const struct {
-    const char* key;
-    bool whenZero;
-    const char* words;
-  } signs[] = {{"robot_on_person_collision", false, "collided with a person"},
-               {"person_on_robot_collision", false, "a person collided with the robot"},
-               {"obstacle_collisions", false, "collided with an obstacle"},
-               {"timeout", false, "timeout"},
-               {"completed", true, "goal not reached"}};
-  std::vector<std::string> texts;
-  for (const auto& sign : signs) {
-    const std::size_t metric = results.keyAt(sign.key);
-    const bool isKnown = metric < results.keys.size();
-    if (isKnown && (sign.whenZero ? valuesOf(metric)[run] == 0.0 : valuesOf(metric)[run] > 0.0)) {
-      texts.emplace_back(sign.words);
-    }
-  }
-  for (const sim2d::NavigationOutcome end :
-       {sim2d::NavigationOutcome::NavigationFailed, sim2d::NavigationOutcome::GoalMissed}) {
-    if (base::startsWith(results.runs[run].reason, sim2d::navigationOutcomeName(end))) {
-      texts.push_back(results.runs[run].reason);
-    }
-  }
-  return texts.empty() ? "not successful" : base::join(texts, ", ");
+  return app::outcomeText(
+      results.runs[run].ok, results.runs[run].reason, [this, run](const char* key) {
+        const std::size_t metric = results.keyAt(key);
+        return metric < results.keys.size() ? valuesOf(metric)[run] : kUndefinedValue;
+      });
 }
 
 std::vector<std::string> Study::batchCommand() const {

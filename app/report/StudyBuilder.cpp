@@ -7,7 +7,6 @@
 #include "app/report/Comparison.h"
 #include "app/report/Study.h"
 #include "app/run/ResultRow.h"
-#include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -31,27 +30,11 @@ constexpr const char* kPareto = "--pareto";
 
 Metric metricOf(const std::string& key, bool isBoolean) {
   Metric metric{key, key, {}, isBoolean, 0};
-  const std::size_t dot = key.rfind('.');  // "robot2.success": of another robot
-  const bool isOfRobot = dot != std::string::npos;
-  if (const metrics::MetricEntry* entry =
-          metrics::standardRegistry().find(isOfRobot ? key.substr(dot + 1) : key)) {
-    metric.name = (isOfRobot ? key.substr(0, dot) + ": " : "") + entry->info.name;
-    metric.unit = entry->info.unit;
-    metric.isRate = isBoolean || entry->info.kind == metrics::Kind::Boolean;
-    metric.sense = entry->info.better == metrics::Better::Higher  ? 1
-                   : entry->info.better == metrics::Better::Lower ? -1
-                                                                  : 0;
-  }
-  const std::string own = isOfRobot ? key.substr(dot + 1) : key;
-  const std::string robot = isOfRobot ? key.substr(0, dot) + ": " : "";
-  for (const app::EndColumn& column : app::endColumns()) {
-    if (own == column.key) {
-      metric.name = robot + column.name;
-      metric.sense = column.sense;
-    }
-  }
-  if (own == app::kDistanceLeft) {
-    metric = {key, robot + "Distance left when the navigator ended", "m", false, -1};
+  if (const std::optional<app::ColumnInfo> info = app::columnInfo(key)) {
+    metric.name = info->name;
+    metric.unit = info->unit;
+    metric.isRate = isBoolean || info->isBoolean;
+    metric.sense = info->sense;
   }
   return metric;
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "metrics/MetricRegistry.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/JsonText.h"
@@ -17,14 +18,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 using RowJson = nlohmann::json;
 
-constexpr const char* kFalse = "False";  // as in results.csv
+constexpr const char* kTrue = "True";  // as in results.csv
+constexpr const char* kFalse = "False";
 
 std::string fieldOf(const Json& value) {
   if (value.is_null()) {
     return {};
   }
   if (value.is_boolean()) {
-    return value.get<bool>() ? "True" : kFalse;
+    return value.get<bool>() ? kTrue : kFalse;
   }
   if (value.is_number_float()) {
     return base::formatDouble(value.get<double>());
@@ -39,7 +41,7 @@ void addFields(const Json& of, const std::string& prefix, ResultRow& to) {
 }
 
 const char* fieldOf(bool value) {
-  return value ? "True" : kFalse;
+  return value ? kTrue : kFalse;
 }
 
 /// For robots whose planners end goals themselves.
@@ -97,10 +99,43 @@ const std::vector<EndColumn>& endColumns() {
   return kColumns;
 }
 
+std::optional<ColumnInfo> columnInfo(const std::string& column) {
+  const std::size_t dot = column.rfind('.');
+  const bool isOfRobot = dot != std::string::npos;
+  const std::string own = isOfRobot ? column.substr(dot + 1) : column;
+  const std::string robot = isOfRobot ? column.substr(0, dot) + ": " : "";
+  if (const metrics::MetricEntry* entry = metrics::standardRegistry().find(own)) {
+    const metrics::MetricInfo& info = entry->info;
+    const int sense = info.better == metrics::Better::Higher  ? 1
+                      : info.better == metrics::Better::Lower ? -1
+                                                              : 0;
+    return ColumnInfo{robot + info.name, info.unit, info.kind == metrics::Kind::Boolean,
+                      info.kind == metrics::Kind::Count, sense};
+  }
+  if (const EndColumn* const end =
+          base::findIf(endColumns(), [&own](const EndColumn& each) { return own == each.key; })) {
+    return ColumnInfo{robot + end->name, {}, true, false, end->sense};
+  }
+  if (own == kDistanceLeft) {
+    return ColumnInfo{robot + "Distance left when the navigator ended", "m", false, false, -1};
+  }
+  return std::nullopt;
+}
+
 const std::string* fieldOf(const ResultRow& row, const std::string& column) {
   const auto* const field =
       base::findBy(row.fields, &std::pair<std::string, std::string>::first, column);
   return field != nullptr ? &field->second : nullptr;
+}
+
+std::optional<double> numberOf(const ResultRow& row, const std::string& column) {
+  const std::string* const field = fieldOf(row, column);
+  if (field == nullptr || field->empty()) {
+    return std::nullopt;
+  }
+  return *field == kTrue    ? std::optional(1.0)
+         : *field == kFalse ? std::optional(0.0)
+                            : base::parseDouble(*field);
 }
 
 bool isUnsuccessful(const ResultRow& row) {
@@ -113,6 +148,36 @@ bool isUnsuccessful(const ResultRow& row) {
     }
   }
   return false;
+}
+
+std::string outcomeText(bool ok, const std::string& reason,
+                        const std::function<double(const char* column)>& valueOf) {
+  if (!ok) {
+    return reason.empty() ? "failed" : reason;
+  }
+  const struct {
+    const char* key;
+    bool whenZero;
+    const char* words;
+  } signs[] = {{"robot_on_person_collision", false, "collided with a person"},
+               {"person_on_robot_collision", false, "a person collided with the robot"},
+               {"obstacle_collisions", false, "collided with an obstacle"},
+               {"timeout", false, "timeout"},
+               {"completed", true, "goal not reached"}};
+  std::vector<std::string> texts;
+  for (const auto& sign : signs) {
+    const double value = valueOf(sign.key);
+    if (sign.whenZero ? value == 0.0 : value > 0.0) {
+      texts.emplace_back(sign.words);
+    }
+  }
+  for (const sim2d::NavigationOutcome end :
+       {sim2d::NavigationOutcome::NavigationFailed, sim2d::NavigationOutcome::GoalMissed}) {
+    if (base::startsWith(reason, sim2d::navigationOutcomeName(end))) {
+      texts.push_back(reason);
+    }
+  }
+  return texts.empty() ? "not successful" : base::join(texts, ", ");
 }
 
 ResultRow rowOf(const FinishedRun& run) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,13 +46,33 @@ struct ResultRow {
   std::vector<InputHash> inputs;  // of the run; a file that changed meanwhile occurs twice
 };
 
+/// What is known of a column by its name.
+struct ColumnInfo {
+  std::string name, unit;  // display name; empty unit: none
+  bool isBoolean = false;
+  bool isCount = false;
+  int sense = 0;  // 1: higher is better, -1: lower is better, 0: neutral
+};
+/// Of a metric of the program or another column above, also of another robot ("robot2.success");
+/// nullopt for other names, such as metrics of a user's file.
+std::optional<ColumnInfo> columnInfo(const std::string& column);
+
 /// The field of a column; null: the row has none.
 const std::string* fieldOf(const ResultRow& row, const std::string& column);
+
+/// The number in a field of a column, 1 for True and 0 for False; nullopt: missing, empty or other
+/// text.
+std::optional<double> numberOf(const ResultRow& row, const std::string& column);
 
 /// Metrics for success; the first one that exists applies.
 constexpr const char* kSuccessKeys[] = {"success", "completed"};
 /// Whether the run failed or its first robot did not succeed; reports list it as a failure.
 bool isUnsuccessful(const ResultRow& row);
+
+/// The outcome of a run without success, from its metrics or its reason: "collided with a person".
+/// `valueOf`: the number in a column, NaN if there is none.
+std::string outcomeText(bool ok, const std::string& reason,
+                        const std::function<double(const char* column)>& valueOf);
 
 /// The row of a simulated run. Contains no wall-clock measurements.
 ResultRow rowOf(const FinishedRun& run);

@@ -75,8 +75,10 @@ struct ExitCodeText {
 };
 inline constexpr ExitCodeText kExitCodes[] = {
     {"0", "success, also with warnings"},
-    {"1", "a run failed or was interrupted; partial results are kept"},
+    {"1",
+     "a run failed or was interrupted; partial results are kept (gate: the candidate is worse)"},
     {"2", "invalid input, or the output cannot be written"},
+    {"3", "gate: undecided within the largest number of seeds"},
     {"64", "wrong command line"},
 };
 

@@ -16,6 +16,8 @@ constexpr const char* kWindow = "";
 constexpr OptionLayout kLayouts[] = {
     {"scenario", "Arguments", "SCENARIO", kAny},
     {"experiment", "Arguments", "EXPERIMENT", kAny},
+    {"base", "Arguments", "BASE", kAny},
+    {"candidate", "Arguments", "CANDIDATE", kAny},
     {"source", "Arguments", "SOURCE", kAny},
     {"files", "Arguments", "FILE", kAny},
     {"run", "Arguments", "RUN", kAny},
@@ -27,6 +29,7 @@ constexpr OptionLayout kLayouts[] = {
     {"what", "Arguments", "WHAT", kAny},
     {"names", "Arguments", "TEST", kAny},
 
+    {"--scenarios", "Scenario", "NAME", kAny},
     {"--map", "Scenario", "FILE|none", kAny},
     {"--trees", "Scenario", "DIR", kAny},
     {"--set", "Scenario", "PATH=VALUE", kAny},
@@ -57,6 +60,7 @@ constexpr OptionLayout kLayouts[] = {
 
     {"--seed", "Run", "N", kAny},
     {"--seeds", "Run", "N", kAny},
+    {"--first-seed", "Run", "N", "gate"},
     {"--duration", "Run", "SECONDS", kAny},
     {"--horizon", "Run", "SECONDS", kAny},
     {"--spread", "Run", "M/S", kAny},
@@ -90,6 +94,7 @@ constexpr OptionLayout kLayouts[] = {
     {"--nav2-body", "Robot", kByType, kAny},
     {"--allow-code", "Robot", kByType, kAny},
 
+    {"--metric", "Statistics", "KEY:MARGIN", kAny},
     {"--compare", "Statistics", "PATH", kAny},
     {"--pareto", "Statistics", "KEY,KEY", kAny},
     {"--weights", "Statistics", "KEY=WEIGHT,…", kAny},
@@ -169,14 +174,24 @@ struct CommandPlace {
 
 /// In the order of the help.
 constexpr CommandPlace kCommands[] = {
-    {"run", "Run and measure"},    {"evaluate", "Run and measure"},
-    {"render", "Run and measure"}, {"futures", "Run and measure"},
-    {"batch", "Studies"},          {"merge", "Studies"},
-    {"report", "Studies"},         {"pack", "Studies"},
-    {"verify", "Studies"},         {"check", "Scenarios"},
-    {"convert", "Scenarios"},      {"trees", "Scenarios"},
-    {"list", "Scenarios"},         {"validate", "Program"},
-    {"bench", "Program"},          {"serve", "Live view and ROS 2"}};
+    {"run", "Run and measure"},
+    {"evaluate", "Run and measure"},
+    {"render", "Run and measure"},
+    {"futures", "Run and measure"},
+    {"batch", "Studies"},
+    {"merge", "Studies"},
+    {"report", "Studies"},
+    {"gate", "Studies"},
+    {"pack", "Studies"},
+    {"verify", "Studies"},
+    {"check", "Scenarios"},
+    {"convert", "Scenarios"},
+    {"trees", "Scenarios"},
+    {"list", "Scenarios"},
+    {"validate", "Program"},
+    {"bench", "Program"},
+    {"serve", "Live view and ROS 2"},
+};
 
 }  // namespace
 

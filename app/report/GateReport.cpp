@@ -1,0 +1,294 @@
+#include "app/report/GateReport.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/report/GateTables.h"
+#include "app/report/PlayerPage.h"
+#include "app/report/Plots.h"
+#include "app/report/Study.h"
+#include "app/run/DataPaths.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+using app::GateMetricResult;
+using app::GateVerdict;
+using Json = nlohmann::ordered_json;
+
+/// Titles of the metrics with this verdict.
+std::vector<std::string> titlesWith(const app::GateResult& result, GateVerdict verdict) {
+  std::vector<std::string> titles;
+  for (const GateMetricResult& each : result.metrics) {
+    if (each.verdict == verdict && each.defined > 0) {
+      titles.push_back(each.metric.title());
+    }
+  }
+  return titles;
+}
+
+std::string headlineOf(const app::GateOptions& options, const app::GateResult& result) {
+  const std::string& candidate = options.candidate.text;
+  const std::string& base = options.base.text;
+  switch (result.verdict) {
+    case GateVerdict::Pass:
+      return "PASS: " + candidate + " is not worse than " + base;
+    case GateVerdict::Worse:
+      return "WORSE: " + candidate + " is worse than " + base + " in " +
+             base::join(titlesWith(result, GateVerdict::Worse), ", ");
+    case GateVerdict::Undecided:
+      break;
+  }
+  return "UNDECIDED: " + std::to_string(result.pairs.size()) + " pairs do not show whether " +
+         candidate + " is worse than " + base;
+}
+
+/// How many runs, and what limits the errors.
+std::string methodText(const app::GateOptions& options, const app::GateResult& result) {
+  const std::string level = levelText(options.level);
+  return counted(result.pairs.size(), "pair") + " of runs with the same scenario and seed in " +
+         counted(options.scenarios.size(), "scenario") + ", at most " +
+         std::to_string(options.maxSeeds) +
+         " seeds per scenario. Each metric passes when the candidate is shown to be worse by less "
+         "than the margin, and is worse when it is shown to be worse at all. The intervals hold at "
+         "all numbers of pairs together (confidence sequences by betting, Waudby-Smith and Ramdas "
+         "2024). A candidate that is worse by a margin or more passes with a probability of at "
+         "most " +
+         level +
+         "; one that is not worse is called worse, in any of the metrics, with "
+         "a probability of at most " +
+         level + ".";
+}
+
+/// Remarks on the validity of the result.
+std::vector<std::string> remarksOf(const app::GateOptions& options, const app::GateResult& result) {
+  std::vector<std::string> remarks;
+  for (const std::size_t scenario : result.constantScenarios) {
+    remarks.push_back("In " + options.scenarios[scenario].name +
+                      " all seeds gave the same results of the base, so its pairs are not "
+                      "independent: make the runs depend on the seed (variation).");
+  }
+  const auto addFailures = [&remarks](std::size_t count, const char* of) {
+    if (count > 0) {
+      remarks.push_back(counted(count, "run") + " of the " + of +
+                        " ended with an error and count as runs without success.");
+    }
+  };
+  addFailures(result.failedBase, "base");
+  addFailures(result.failedCandidate, "candidate");
+  return remarks;
+}
+
+std::string factsMarkup(const std::vector<std::string>& command,
+                        const std::vector<app::InputHash>& inputs) {
+  std::string facts;
+  const auto fact = [&facts](const std::string& name, const std::string& value) {
+    facts += element("dt", "", escaped(name)) +
+             element("dd", "", element("code", "", escaped(value))) + "\n";
+  };
+  fact("Created by", "hunavsim " + app::programVersion() + " " + app::programCommit());
+  for (const app::InputHash& input : inputs) {
+    fact(input.path, input.sha256);
+  }
+  return element("dl", "", "\n" + facts) + "\n" + element("pre", "", escaped(shellText(command))) +
+         "\n";
+}
+
+std::string htmlOf(const app::GateOptions& options, const app::GateResult& result,
+                   const std::vector<GateFinding>& findings, const std::string& headline,
+                   const std::string& facts) {
+  constexpr std::size_t kMostRows = 200;
+  std::string notes =
+      element("p", " class=\"verdict\"", element("b", "", escaped(headline))) + "\n";
+  for (const std::string& remark : remarksOf(options, result)) {
+    notes += paragraph(remark, " class=\"warning\"");
+  }
+  const Figure figure = gateFigure(result);
+  std::string body = "<h2 id=\"metrics\">Metrics</h2>\n" + tableHtml(gateTable(result)) +
+                     "<figure>\n" + figure.markup() +
+                     element("figcaption", "", escaped(figure.caption)) + "\n</figure>\n";
+  body += "<h2 id=\"pairs\">Pairs</h2>\n";
+  body += findings.empty() ? paragraph("No pair speaks against the candidate.")
+                           : tableHtml(findingsTable(options, findings, kMostRows), "failures");
+  body += "<h2 id=\"methods\">Methods</h2>\n" + paragraph(methodText(options, result)) + facts;
+  const std::string lead = options.candidate.text + " compared with " + options.base.text + ".";
+  const std::string links =
+      "<a href=\"#metrics\">Metrics</a> <a href=\"#pairs\">Pairs</a> "
+      "<a href=\"#methods\">Methods</a> ";
+  return htmlPage(
+      "Gate",
+      filled(kStudyText,
+             {{"title", "Gate"}, {"lead", escaped(lead)}, {"notes", notes}, {"links", links}}) +
+          body,
+      false);
+}
+
+std::string markdownOf(const app::GateOptions& options, const app::GateResult& result,
+                       const std::vector<GateFinding>& findings, const std::string& headline) {
+  constexpr std::size_t kMostRows = 10;
+  Table table = gateTable(result);
+  table.caption = headline;
+  std::string text = tableMarkdown(table) + "\n";
+  for (const std::string& remark : remarksOf(options, result)) {
+    text += "> " + remark + "\n\n";
+  }
+  if (!findings.empty()) {
+    text += "<details><summary>Pairs that speak against the candidate</summary>\n\n```\n";
+    for (std::size_t k = 0; k < std::min(findings.size(), kMostRows); ++k) {
+      const GateFinding& finding = findings[k];
+      text += "# " + options.scenarios[finding.pair->scenario].name + ", seed " +
+              std::to_string(finding.pair->seed) + ": " + finding.what + "\n" +
+              finding.playCandidate + "\n";
+    }
+    text += "```\n\n</details>\n\n";
+  }
+  return text + methodText(options, result) + "\n";
+}
+
+/// A child element of a test case that is not passed; empty if it is.
+std::string junitOutcome(const app::GateOptions& options, const GateMetricResult& each,
+                         const std::vector<GateFinding>& findings) {
+  if (each.defined == 0) {
+    return element("skipped", " message=\"no run has a value\"", "");
+  }
+  if (each.verdict == GateVerdict::Pass) {
+    return {};
+  }
+  const GateDifference difference = gateDifference(each);
+  const int decimals = decimalsFor(difference.mean, difference.interval);
+  const std::string message = each.metric.title() + ": difference " +
+                              plainNumber(difference.mean, decimals) + " [" +
+                              plainNumber(difference.interval.low, decimals) + ", " +
+                              plainNumber(difference.interval.high, decimals) + "] " +
+                              difference.unit + ", margin " + marginText(each.metric);
+  std::string details;
+  for (const GateFinding& finding : findings) {
+    details += options.scenarios[finding.pair->scenario].name + ", seed " +
+               std::to_string(finding.pair->seed) + ": " + finding.what + "\n  " +
+               finding.playCandidate + "\n";
+  }
+  const bool isWorse = each.verdict == GateVerdict::Worse;
+  return element(isWorse ? "failure" : "error",
+                 std::string(" type=\"") + app::gateVerdictName(each.verdict) + "\" message=\"" +
+                     escaped(message) + "\"",
+                 escaped(details.empty() ? message : details));
+}
+
+std::string junitOf(const app::GateOptions& options, const app::GateResult& result,
+                    const std::vector<GateFinding>& findings, const std::string& headline) {
+  std::size_t failures = 0, errors = 0, skipped = 0;
+  std::string cases;
+  for (const GateMetricResult& each : result.metrics) {
+    const bool isMeasured = each.defined > 0;
+    skipped += isMeasured ? 0 : 1;
+    failures += isMeasured && each.verdict == GateVerdict::Worse ? 1 : 0;
+    errors += isMeasured && each.verdict == GateVerdict::Undecided ? 1 : 0;
+    cases += element("testcase",
+                     " classname=\"hunavsim.gate\" name=\"" + escaped(each.metric.label()) +
+                         " (margin " + escaped(marginText(each.metric)) + ")\"",
+                     junitOutcome(options, each, findings)) +
+             "\n";
+  }
+  const std::string counts = " tests=\"" + std::to_string(result.metrics.size()) +
+                             "\" failures=\"" + std::to_string(failures) + "\" errors=\"" +
+                             std::to_string(errors) + "\" skipped=\"" + std::to_string(skipped) +
+                             "\"";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
+         element("testsuites", " name=\"hunavsim gate\"" + counts,
+                 "\n" +
+                     element("testsuite", " name=\"" + escaped(headline) + "\"" + counts,
+                             "\n" + cases) +
+                     "\n") +
+         "\n";
+}
+
+Json numberJson(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json metricJson(const GateMetricResult& each) {
+  const GateDifference difference = gateDifference(each);
+  const bool isRate = each.metric.scale == app::GateMetric::Scale::Rate;
+  return {{"metric", each.metric.label()},
+          {"verdict", app::gateVerdictName(each.verdict)},
+          {"measured", each.defined > 0},
+          {"pairs", each.pairs},
+          {"base", numberJson(each.baseMean)},
+          {"candidate", numberJson(each.candidateMean)},
+          {"unit", isRate ? "share" : each.metric.unit},
+          {"difference",
+           {{"mean", numberJson(difference.mean)},
+            {"low", numberJson(difference.interval.low)},
+            {"high", numberJson(difference.interval.high)},
+            {"margin", difference.margin},
+            {"unit", difference.unit}}}};
+}
+
+std::string jsonOf(const app::GateOptions& options, const app::GateResult& result,
+                   const std::vector<GateFinding>& findings,
+                   const std::vector<app::InputHash>& inputs) {
+  Json json = {{"verdict", app::gateVerdictName(result.verdict)},
+               {"base", options.base.text},
+               {"candidate", options.candidate.text},
+               {"level", options.level},
+               {"pairs", result.pairs.size()},
+               {"runs", 2 * result.pairs.size()}};
+  for (const char* key : {"scenarios", "metrics", "remarks", "findings", "inputs"}) {
+    json[key] = Json::array();
+  }
+  for (const app::GateScenario& scenario : options.scenarios) {
+    json["scenarios"].push_back(scenario.name);
+  }
+  for (const GateMetricResult& each : result.metrics) {
+    json["metrics"].push_back(metricJson(each));
+  }
+  json["remarks"] = remarksOf(options, result);
+  for (const GateFinding& finding : findings) {
+    json["findings"].push_back({{"scenario", options.scenarios[finding.pair->scenario].name},
+                                {"seed", finding.pair->seed},
+                                {"what", finding.what},
+                                {"play_candidate", finding.playCandidate},
+                                {"play_base", finding.playBase}});
+  }
+  for (const app::InputHash& input : inputs) {
+    json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});
+  }
+  return base::jsonText(json) + "\n";
+}
+
+}  // namespace
+
+GateReport makeGateReport(const app::GateOptions& options, const app::GateResult& result,
+                          const std::vector<std::string>& command,
+                          const std::vector<app::InputHash>& inputs) {
+  const std::vector<GateFinding> findings = gateFindings(options, result);
+  GateReport report;
+  report.headline = headlineOf(options, result);
+  report.html = htmlOf(options, result, findings, report.headline, factsMarkup(command, inputs));
+  report.markdown = markdownOf(options, result, findings, report.headline);
+  report.junit = junitOf(options, result, findings, report.headline);
+  report.json = jsonOf(options, result, findings, inputs);
+  return report;
+}
+
+std::vector<std::vector<std::string>> gateRows(const app::GateResult& result) {
+  const Table table = gateTable(result);
+  std::vector<std::vector<std::string>> rows(1);
+  for (const Table::Column& column : table.columns) {
+    rows.front().push_back(column.title);
+  }
+  for (const std::vector<Table::Cell>& cells : table.rows) {
+    rows.emplace_back();
+    for (const Table::Cell& cell : cells) {
+      rows.back().push_back(cell.text + (cell.below.empty() ? "" : " " + cell.below));
+    }
+  }
+  return rows;
+}
+
+}  // namespace report

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/report/Figure.h"
+#include "app/report/Markup.h"
+#include "app/studies/Gate.h"
+
+/// Parts of the report of a gate.
+namespace report {
+
+/// The difference candidate - base of a metric in the unit that its margin is given in: points of a
+/// rate, the unit of the metric, or percent.
+struct GateDifference {
+  double mean = statistics::kUndefined;
+  statistics::Interval interval;
+  double margin = 0.0;  // > 0
+  std::string unit;     // "points", "m", "%"; empty: none
+};
+GateDifference gateDifference(const app::GateMetricResult& result);
+std::string marginText(const app::GateMetric& metric);  // "5 points", "5 %", "0.1 m"
+
+/// One row per metric.
+Table gateTable(const app::GateResult& result);
+/// The mean gains with their intervals, in margins.
+Figure gateFigure(const app::GateResult& result);
+
+/// A pair that speaks against the candidate.
+struct GateFinding {
+  const app::GatePair* pair = nullptr;
+  std::string what;                     // "collided with a person", "Path length [m]: 8.1 to 9.3"
+  std::string playCandidate, playBase;  // commands
+};
+/// Pairs in which only the candidate has no success, then the largest losses by each metric that is
+/// not passed.
+std::vector<GateFinding> gateFindings(const app::GateOptions& options,
+                                      const app::GateResult& result);
+/// The first `most` findings.
+Table findingsTable(const app::GateOptions& options, const std::vector<GateFinding>& findings,
+                    std::size_t most);
+
+}  // namespace report
