@@ -36,11 +36,7 @@ double MeanSequence::logWealth(double m, bool higher) const {
   double logs[std::size(kStakes)];
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < std::size(kStakes); ++k) {
-    const double share = kStakes[k].share;
-    logs[k] = std::log(kStakes[k].weight);
-    for (const auto& [value, count] : counts_) {
-      logs[k] += count * std::log(1.0 - share + share * (value - end) / (m - end));
-    }
+    logs[k] = std::log(kStakes[k].weight) + logGrowth(kStakes[k].share, m, end);
     most = std::max(most, logs[k]);
   }
   double sum = 0.0;
@@ -48,6 +44,26 @@ double MeanSequence::logWealth(double m, bool higher) const {
     sum += std::isinf(most) ? 0.0 : std::exp(each - most);
   }
   return std::isinf(most) ? most : most + std::log(sum);
+}
+
+/// Σ count log(1 - θ + θ (x - end) / (m - end)). Logarithms are slow: factors of single values are
+/// multiplied first.
+double MeanSequence::logGrowth(double share, double m, double end) const {
+  double log = 0.0;
+  double product = 1.0;
+  for (const auto& [value, count] : counts_) {
+    const double factor = 1.0 - share + share * (value - end) / (m - end);
+    if (count > 1) {
+      log += count * std::log(factor);
+      continue;
+    }
+    product *= factor;
+    if (!(product > 1e-200 && product < 1e200)) {
+      log += std::log(product);
+      product = 1.0;
+    }
+  }
+  return log + std::log(product);
 }
 
 /// The bound now, or an earlier one that is narrower. Rounded outwards to a millionth of the range.

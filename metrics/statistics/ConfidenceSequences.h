@@ -43,6 +43,7 @@ class MeanSequence {
   double logWealth(double m, bool higher) const;
 
  private:
+  double logGrowth(double share, double m, double end) const;
   double bound(bool higher) const;
 
   Interval range_;

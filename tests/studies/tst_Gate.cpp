@@ -107,7 +107,7 @@ std::string problemOf(const char* text) {
 }  // namespace
 
 /// The sequential test of a gate, on runs that are drawn instead of simulated.
-class GateTestTest : public QObject {
+class GateDecisionTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -235,5 +235,5 @@ class GateTestTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(GateTestTest)
+QTEST_APPLESS_MAIN(GateDecisionTest)
 #include "tst_Gate.moc"

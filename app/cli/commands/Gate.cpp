@@ -117,7 +117,10 @@ std::vector<RunRequest> firstRequests(const GateOptions& options) {
 /// Also the exit code when a stop was requested.
 GateResult runInPool(const GateWords& words, const GateOptions& options, RunPool& pool,
                      GateProgress& progress) {
-  requireFine(pool.check(firstRequests(options)));
+  const base::Diagnostics problems = pool.check(firstRequests(options));
+  const bool isInFile = std::any_of(problems.begin(), problems.end(),
+                                    [](const auto& each) { return !each.file.empty(); });
+  requireFine(problems, isInFile ? ExitBadInput : ExitWrongCommandLine);
   catchInterrupts();
   base::Result<GateResult> result =
       runGate(options, pool, [&progress](const GateTest& test) { progress.setOpen(test); });
@@ -127,6 +130,23 @@ GateResult runInPool(const GateWords& words, const GateOptions& options, RunPool
   }
   requireFine(result.diagnostics(), isStopped ? ExitRunFailed : ExitBadInput);
   return *std::move(result);
+}
+
+/// The command line without what does not change the results.
+std::vector<std::string> commandOf(const Invocation& given) {
+  std::vector<std::string> words = {"hunavsim"};
+  const std::vector<std::string> all = given.words();
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const std::string& word = all[k];
+    if (word == "-j" || word == "--jobs") {
+      ++k;  // and its value
+    } else if (word != "--resume" && word != "--force" && word != "-q" && word != "--quiet" &&
+               word != "--json" && !base::startsWith(word, "--jobs=") &&
+               !(base::startsWith(word, "-j") && word.size() > 2)) {
+      words.push_back(word);
+    }
+  }
+  return words;
 }
 
 int exitCodeOf(GateVerdict verdict) {
@@ -173,10 +193,8 @@ int gateCommand(const GateWords& words, const Invocation& given) {
   base::Result<std::unique_ptr<RunPool>> pool = RunPool::open(std::move(poolOptions));
   requireFine(pool.diagnostics());
   const GateResult result = runInPool(words, options, **pool, progress);
-  std::vector<std::string> commandWords = given.words();
-  commandWords.front() = "hunavsim";
   const report::GateReport report =
-      report::makeGateReport(options, result, commandWords, (*pool)->inputs());
+      report::makeGateReport(options, result, commandOf(given), (*pool)->inputs());
   if (folder) {
     requireFine(folder->finish({{"gate.html", report.html},
                                 {"gate.md", report.markdown},
