@@ -204,14 +204,30 @@ void Docks::addToggle(QDockWidget& dock) {
   QAction* toggle =
       editor::makeAction(dock.windowTitle(), key, tr("Open or close this panel"), this);
   toggle->setCheckable(true);
-  connect(toggle, &QAction::triggered, &dock, [&dock](bool on) {
+  toggle->setIconVisibleInMenu(false);  // there it has a check mark
+  connect(toggle, &QAction::triggered, &dock, [this, &dock](bool on) {
+    if (on) {
+      behind_[&dock] = frontBeside(dock);
+    }
     dock.setVisible(on);
     if (on) {
       dock.raise();
+    } else if (const QPointer<QDockWidget> before = behind_[&dock];
+               before != nullptr && !before->isHidden()) {
+      before->raise();
     }
   });
   connect(&dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
   toggles_[&dock] = toggle;
+}
+
+/// The front tab beside the dock; null: none.
+QDockWidget* Docks::frontBeside(QDockWidget& dock) const {
+  const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
+  const auto front = std::find_if(others.begin(), others.end(), [](const QDockWidget* each) {
+    return each->isVisible() && !each->visibleRegion().isEmpty();
+  });
+  return front == others.end() ? nullptr : *front;
 }
 
 QList<QAction*> Docks::toggles() const {

@@ -42,6 +42,7 @@ class Docks : public QObject {
  private:
   void add(const editor::PanelRegistry::Entry& entry);
   void addToggle(QDockWidget& dock);
+  QDockWidget* frontBeside(QDockWidget& dock) const;
   void ensureHeight(QDockWidget& dock, int initialHeight);
   void showMapOnly(bool on);
   void showTreeLarge(bool on);
@@ -57,8 +58,9 @@ class Docks : public QObject {
   editor::PanelContext context_;
   std::vector<QDockWidget*> docks_;
   std::map<const QDockWidget*, QAction*> toggles_;
-  std::vector<const QDockWidget*> open_;  // open by default
-  std::set<const QDockWidget*> hadRoom_;  // got their initial height
+  std::vector<const QDockWidget*> open_;                        // open by default
+  std::set<const QDockWidget*> hadRoom_;                        // got their initial height
+  std::map<const QDockWidget*, QPointer<QDockWidget>> behind_;  // what each covered when opened
   QAction *mapOnly_, *treeLarge_;
   std::vector<QDockWidget*> openBeforeMaximized_;  // before mapOnly or treeMaximized
   QByteArray sizesBefore_;

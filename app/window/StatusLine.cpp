@@ -190,10 +190,17 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   connect(&workspace_.document(), &editor::ScenarioDocument::runChanged, this,
           &StatusLine::showNumbers);
   bar.parentWidget()->installEventFilter(this);
+  workspace_.view().installEventFilter(this);
   showState();
 }
 
 bool StatusLine::eventFilter(QObject* window, QEvent* event) {
+  if (window == &workspace_.view()) {  // tools need the map
+    if (event->type() == QEvent::Show || event->type() == QEvent::Hide) {
+      showState();
+    }
+    return false;
+  }
   if (event->type() == QEvent::StatusTip) {
     tip_ = static_cast<QStatusTipEvent*>(event)->tip();
     showState();
@@ -271,8 +278,10 @@ void StatusLine::showState() {
   }
   isRun_ = isRun;
   const editor::Tool* tool = workspace_.tools().current();
-  StateText stateText{Role::TextSecondary, tr("Editing"),
-                      tool != nullptr ? tool->statusText() : QString()};
+  const QString use = !workspace_.view().isVisible() ? tr("F8 returns to the map")
+                      : tool != nullptr              ? tool->statusText()
+                                                     : QString();
+  StateText stateText{Role::TextSecondary, tr("Editing"), use};
   if (idle_) {
     stateText = {Role::TextSecondary, tr("Ready"),
                  tr("Click a scenario to open it · Space runs it")};

@@ -29,6 +29,15 @@ const std::vector<sim2d::RobotTelemetry>& sensesOf(const sim2d::Frame& frame) {
   return frame.senses != nullptr ? *frame.senses : nothing;
 }
 
+sim2d::FramePtr withoutSenses(const sim2d::FramePtr& frame) {
+  if (frame == nullptr || frame->senses == nullptr) {
+    return frame;
+  }
+  auto bare = std::make_shared<sim2d::Frame>(*frame);
+  bare->senses = nullptr;
+  return bare;
+}
+
 /// The first entry that is still visible at `time`.
 template <class Said>
 typename std::vector<Said>::const_iterator firstWithin(const std::vector<Said>& said, double time) {
@@ -87,7 +96,8 @@ void FrameLayer::show(sim2d::FramePtr frame, const sim2d::Recording* recording) 
     updateAgents(*recording->header(), *frame);
   }
   trails_.advance(frame_.get(), *frame, recording, options().trailSeconds);
-  frame_ = std::move(frame);
+  whole_ = std::move(frame);
+  frame_ = areSensesHidden_ ? withoutSenses(whole_) : whole_;
   bodies_.clear();
   places_.clear();
   forEachBody(*frame_, [this](const sim2d::BodyColumns& columns, std::size_t i) {
@@ -96,6 +106,12 @@ void FrameLayer::show(sim2d::FramePtr frame, const sim2d::Recording* recording) 
     places_.emplace(id, bodies_.size());
     bodies_.push_back({id, &agent(id), pose, pose, Vec2(columns.vx[i], columns.vy[i])});
   });
+}
+
+void FrameLayer::setSensesHidden(bool hidden) {
+  areSensesHidden_ = hidden;
+  frame_ = hidden ? withoutSenses(whole_) : whole_;
+  update();
 }
 
 /// Takes the body sizes from the run, where the pedestrian model determines them, and adds the

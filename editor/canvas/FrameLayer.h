@@ -34,6 +34,7 @@ class FrameLayer : public FullLayer {
   bool setInterpolation(double share);
   void end() {
     frame_.reset();
+    whole_.reset();
     bodies_.clear();
     before_.clear();
     places_.clear();
@@ -41,6 +42,10 @@ class FrameLayer : public FullLayer {
     hearings_.clear();
   }
   const sim2d::Frame* frame() const { return frame_.get(); }
+  /// Leaves out what robots perceive and plan. Only the newest state of a run has it, so that views
+  /// of several runs beside each other would differ by it.
+  void setSensesHidden(bool hidden);
+  bool areSensesHidden() const { return areSensesHidden_; }
   /// Adds speech events. They are shown for some seconds from `time` on, also when looking back.
   void addSpeech(const std::vector<sim2d::Event>& events, double time);
 
@@ -124,6 +129,8 @@ class FrameLayer : public FullLayer {
   void paintForces(QPainter& painter) const;
 
   sim2d::FramePtr frame_;
+  sim2d::FramePtr whole_;  // The same, with its senses.
+  bool areSensesHidden_ = false;
   std::unordered_map<int, Pose2> before_;  // Poses in the previous frame, one step earlier.
   double interpolation_ = 1.0;
   std::vector<Body> bodies_;  // People, then robots.

@@ -407,7 +407,9 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   add(on.candidates, [&] { return trajectoryCostPart(scene); });
   std::vector<LegendRow> senses = senseRows(scene);
   if (senses.empty() && on.lidar && isLidarChosen(scene)) {
-    senses.push_back(noteRow(QObject::tr("lidar: newest only")));
+    senses.push_back(noteRow(scene.frameLayer().areSensesHidden()
+                                 ? QObject::tr("lidar: not side by side")
+                                 : QObject::tr("lidar: newest only")));
   }
   add(true, [&]() -> LegendPart { return {QObject::tr("Robot"), std::move(senses)}; });
   return parts;

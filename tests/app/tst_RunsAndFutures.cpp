@@ -158,6 +158,31 @@ class RunsAndFuturesTest : public QObject {
     QTRY_COMPARE(runs().sideBySide()->views().size(), std::size_t{1});
   }
 
+  /// Only the newest state of a run has what robots perceive: no view has it beside others.
+  void runs_sideBySide_showTheSameOverlays() {
+    runDemo(3.0);
+    window_->docks().show({text("runs")});
+    forkAt(1.0, "dwa");
+    runToTheEnd();
+    const auto canvasFrame = [this] { return window_->workspace().scene().frameLayer().frame(); };
+    QTRY_VERIFY(canvasFrame() != nullptr && canvasFrame()->senses != nullptr);
+    for (int index = 0; index < runs().list().topLevelItemCount(); ++index) {
+      if (row(index).checkState(0) != Qt::Checked) {
+        tick(index);
+      }
+    }
+    QTRY_COMPARE(runs().ghosts().ghosts().size(), std::size_t{1});
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    QVERIFY(runs().sideBySide() != nullptr);
+    QVERIFY(canvasFrame()->senses == nullptr);
+    for (const auto& view : runs().sideBySide()->views()) {
+      QTRY_VERIFY(view->scene().frameLayer().frame() != nullptr);
+      QVERIFY(view->scene().frameLayer().frame()->senses == nullptr);
+    }
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    QVERIFY(canvasFrame()->senses != nullptr);
+  }
+
   /// Six seconds here, three recorded: distances up to the third second are compared, and what a
   /// run came to as a whole.
   void runs_ofDifferentLength_areComparedUpToTheCommonEnd() {

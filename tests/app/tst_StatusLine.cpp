@@ -188,6 +188,15 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QCOMPARE(places(), before);
   }
 
+  /// The tools need the map: while the tree hides it, the hint says how to get it back.
+  void hint_withoutTheMap_leadsBackToIt() {
+    QVERIFY(!isHinted("F8 returns to the map"));
+    window_->docks().treeMaximized()->setChecked(true);
+    QTRY_VERIFY(isHinted("F8 returns to the map"));
+    window_->docks().treeMaximized()->setChecked(false);
+    QTRY_VERIFY(!isHinted("F8 returns to the map"));
+  }
+
   void hint_thatDoesNotFit_losesItsLastPartsFirst() {
     window_->resize(window_->minimumSize());
     runner().play();

@@ -178,6 +178,19 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QVERIFY(issues->isHidden());
   }
 
+  /// A panel that covered another one uncovers it.
+  void panel_closed_leavesTheOneBeforeInFront() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    const QDockWidget& properties = *window_->docks().dock(utf8("properties"));
+    QTRY_VERIFY(!properties.visibleRegion().isEmpty());
+    QAction& layers = *window_->docks().toggleOf(*window_->docks().dock(utf8("layers")));
+    layers.trigger();
+    QTRY_VERIFY(properties.visibleRegion().isEmpty());
+    layers.trigger();
+    QTRY_VERIFY(!properties.visibleRegion().isEmpty());
+    QVERIFY(!layers.isIconVisibleInMenu());  // its menu entry shows a check mark instead
+  }
+
   /// Closed panels say in the status bar how much there is in them.
   void panels_closed_areCountedInTheStatusBar() {
     QVERIFY(window_->open(quiet::demoPath()));

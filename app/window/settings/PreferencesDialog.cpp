@@ -66,7 +66,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const WindowActio
 QWidget* PreferencesDialog::makeGeneral() {
   auto* page = new QWidget(this);
   QFormLayout* form = pageForm(*page);
-  theme_->addItems({tr("As the desktop"), tr("Light"), tr("Dark")});
+  theme_->addItems({tr("Like the desktop"), tr("Light"), tr("Dark")});
   name(*theme_, tr("Theme"), tr("Colours of the window"));
   form->addRow(tr("&Theme"), theme_);
   language_->addItem(tr("As the system"), QString());

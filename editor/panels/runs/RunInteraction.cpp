@@ -261,7 +261,7 @@ void PeopleInteraction::fillMenu(QMenu& menu, std::optional<int> person, const V
     QAction* stop = menu.addAction(
         stopped ? tr("Resume %1").arg(name) : tr("Stop %1").arg(name), this,
         [this, stopped, id = *person] { stopped ? resume(id) : PeopleInteraction::stop(id); });
-    stop->setToolTip(tr("The person brakes and stays until resumed"));
+    stop->setToolTip(tr("The person stops and stands still until resumed"));
   }
   addSpawnActions(menu, person, place);
 }

@@ -103,6 +103,16 @@ SideBySide::SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget*
     : QWidget(parent), canvas_(canvas), edited_(edited) {
   grid_->setContentsMargins({});
   grid_->setSpacing(1);
+  showSenses(false);  // The other runs have none.
+}
+
+SideBySide::~SideBySide() {
+  showSenses(true);
+}
+
+void SideBySide::showSenses(bool shown) {
+  canvas_.mapScene().frameLayer().setSensesHidden(!shown);
+  canvas_.mapScene().update();
 }
 
 void SideBySide::showRuns(const std::vector<Run>& runs) {

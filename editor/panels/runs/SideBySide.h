@@ -56,7 +56,8 @@ DocumentSnapshot documentOf(const sim2d::Recording& recording, const ScenarioDoc
                             bool isOfEdited);
 
 /// Views of other runs beside the canvas: one, two stacked, or up to four in two columns. All show
-/// the same place and time.
+/// the same place, time and overlays; the senses of robots, which only the newest state of a run
+/// has, are left out on the canvas, too.
 class SideBySide : public QWidget {
   Q_OBJECT
  public:
@@ -68,6 +69,8 @@ class SideBySide : public QWidget {
     bool isOfEdited = false;  // Run of the open document.
   };
   SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget* parent = nullptr);
+  ~SideBySide() override;
+  Q_DISABLE_COPY_MOVE(SideBySide)
 
   /// Shows the first kMaxViews runs; views of runs already shown are kept.
   void showRuns(const std::vector<Run>& runs);
@@ -77,6 +80,8 @@ class SideBySide : public QWidget {
   const std::vector<std::unique_ptr<SideView>>& views() const { return views_; }
 
  private:
+  void showSenses(bool shown);
+
   MapView& canvas_;
   const ScenarioDocument& edited_;
   QGridLayout* grid_ = new QGridLayout(this);
