@@ -1655,6 +1655,10 @@ Elegir qué muestra el mapa</translation>
         <comment>format of a date</comment>
         <translation>d MMM yyyy</translation>
     </message>
+    <message>
+        <source>lidar: not side by side</source>
+        <translation>lidar: no en vistas paralelas</translation>
+    </message>
 </context>
 <context>
     <name>WhatsThis</name>
@@ -2599,10 +2603,6 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
         <translation>Te&amp;clado</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Como el escritorio</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Claro</translation>
     </message>
@@ -2741,6 +2741,10 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
     <message>
         <source>&amp;Keep copies of unsaved changes</source>
         <translation>&amp;Guardar copias de los cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Like the desktop</source>
+        <translation>Como el escritorio</translation>
     </message>
 </context>
 <context>
@@ -3500,6 +3504,10 @@ Pulse las teclas para la orden seleccionada</translation>
     <message>
         <source>%1, %2 m · %3</source>
         <translation>%1, %2 m · %3</translation>
+    </message>
+    <message>
+        <source>F8 returns to the map</source>
+        <translation>F8 vuelve al mapa</translation>
     </message>
 </context>
 <context>
@@ -6313,8 +6321,8 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Detener %1</translation>
     </message>
     <message>
-        <source>The person brakes and stays until resumed</source>
-        <translation>La persona frena y se queda quieta hasta que se reanude</translation>
+        <source>The person stops and stands still until resumed</source>
+        <translation>La persona se detiene y espera hasta que se la reanude</translation>
     </message>
 </context>
 <context>

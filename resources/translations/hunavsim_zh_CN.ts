@@ -1655,6 +1655,10 @@ Choose what the map shows</source>
         <comment>format of a date</comment>
         <translation>yyyy年M月d日</translation>
     </message>
+    <message>
+        <source>lidar: not side by side</source>
+        <translation>激光雷达：并排视图中不显示</translation>
+    </message>
 </context>
 <context>
     <name>WhatsThis</name>
@@ -2599,10 +2603,6 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
         <translation>键盘(&amp;B)</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>与桌面一致</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>浅色</translation>
     </message>
@@ -2741,6 +2741,10 @@ After a crash, the program offers to restore them</source>
     <message>
         <source>&amp;Keep copies of unsaved changes</source>
         <translation>保留未保存更改的副本(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Like the desktop</source>
+        <translation>与桌面一致</translation>
     </message>
 </context>
 <context>
@@ -3500,6 +3504,10 @@ Press the keys for the selected command</source>
     <message>
         <source>%1, %2 m · %3</source>
         <translation>%1, %2 m · %3</translation>
+    </message>
+    <message>
+        <source>F8 returns to the map</source>
+        <translation>按 F8 返回地图</translation>
     </message>
 </context>
 <context>
@@ -6313,8 +6321,8 @@ For each seed, all planners run with the same people.</source>
         <translation>停止 %1</translation>
     </message>
     <message>
-        <source>The person brakes and stays until resumed</source>
-        <translation>行人停下并停留，直到继续</translation>
+        <source>The person stops and stands still until resumed</source>
+        <translation>此人停下并站立，直到被恢复</translation>
     </message>
 </context>
 <context>

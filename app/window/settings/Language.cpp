@@ -5,15 +5,12 @@
 
 #include "sim2d/base/Find.h"
 
-namespace {
-
-void initializeTranslations() {
+/// Outside of namespaces, also of unnamed ones, because Q_INIT_RESOURCE declares a function.
+static void initializeTranslations() {
 #ifdef HUNAV_TRANSLATIONS
   Q_INIT_RESOURCE(translations);
 #endif
-}  // Q_INIT_RESOURCE must be used outside of namespaces.
-
-}  // namespace
+}
 
 namespace app {
 
