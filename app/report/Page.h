@@ -17,6 +17,7 @@ struct Report {
   std::vector<Figure> figures;
   std::vector<Table> tables;                                    // written as CSV and LaTeX
   std::vector<std::pair<std::string, std::string>> moreTables;  // name, CSV text
+  std::vector<std::pair<std::string, std::string>> moreFiles;   // name, text
   base::Diagnostics problems;                                   // warnings
 };
 

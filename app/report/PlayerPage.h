@@ -25,6 +25,8 @@ extern const char* const kRunText;         // body of the page of one run
 extern const char* const kPlayerPageText;  // player
 extern const char* const kStudyText;       // head of the page of a study
 extern const char* const kMethodsText;     // section "Methods" of the page of a study
+extern const char* const kMorrisText;      // the same of a sensitivity analysis with its method:
+extern const char* const kSobolText;
 extern const char* const kReferencesText;  // BibTeX entries of HuNavSim and of this program
 
 extern const char* const kStyleText;   // CSS

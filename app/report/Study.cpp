@@ -192,7 +192,10 @@ base::Diagnostics readRunOptions(Study& study) {
     return {};
   }
   const base::Result<app::Experiment> experiment =
-      text ? app::readExperiment(path) : base::Result<app::Experiment>(text.diagnostics());
+      !text               ? base::Result<app::Experiment>(text.diagnostics())
+      : study.sensitivity ? app::readSensitivityExperiment(path, {study.sensitivity->design.method,
+                                                                  study.sensitivity->design.points})
+                          : app::readExperiment(path);
   if (!experiment) {
     return experiment.diagnostics();
   }
@@ -214,6 +217,33 @@ void readDrawn(const Json& manifest, Study& study) {
     }
   }
   study.drawn.assign(paths.begin(), paths.end());
+}
+
+/// Reads "design". False: it is not the design of a sensitivity analysis.
+bool readSensitivity(const Json& design, Study::Sensitivity& sensitivity) {
+  const auto& names = app::Design::kMethodNames;
+  const auto* const method =
+      std::find(std::begin(names), std::end(names), textIn(design, "method"));
+  const auto isCount = [&](const char* key) {
+    const auto found = design.find(key);
+    return found != design.end() && found->is_number_unsigned();
+  };
+  if (method == std::end(names) || !isCount("points") || !isCount("seed")) {
+    return false;
+  }
+  sensitivity.design = {static_cast<app::Design::Method>(method - std::begin(names)),
+                        design["points"].get<std::size_t>(), design["seed"].get<std::uint64_t>()};
+  const auto factors = design.find("factors");
+  for (const Json& factor : factors != design.end() ? *factors : Json::array()) {
+    const auto from = factor.find("from"), to = factor.find("to");
+    const bool isRange = from != factor.end() && to != factor.end() && from->is_number() &&
+                         to->is_number() && from->get<double>() < to->get<double>();
+    if (!isRange) {
+      return false;
+    }
+    sensitivity.factors.push_back({textIn(factor, "path"), from->get<double>(), to->get<double>()});
+  }
+  return sensitivity.design.isForSensitivity() && !sensitivity.factors.empty();
 }
 
 base::Diagnostics readManifest(const fs::path& path, Study& study) {
@@ -246,6 +276,14 @@ base::Diagnostics readManifest(const fs::path& path, Study& study) {
     study.timeLimit = limit->get<double>();
   }
   readDrawn(manifest, study);
+  const auto design = manifest.find("design");
+  Study::Sensitivity sensitivity;
+  if (design != manifest.end() && !(design->is_object() && readSensitivity(*design, sensitivity))) {
+    return {base::error("report.bad-manifest", {}, path.string())};
+  }
+  if (design != manifest.end()) {
+    study.sensitivity = std::move(sensitivity);
+  }
   return {};
 }
 

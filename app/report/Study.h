@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/run/Design.h"
 #include "sim2d/base/Result.h"
 
 namespace report {
@@ -88,6 +89,18 @@ struct Study {
   bool hasRunOptions = false;           // the experiment file is unchanged
   bool isExperimentUnreadable = false;  // the experiment file exists but cannot be read
   std::string status;                   // "finished", "interrupted"; empty: unknown
+
+  /// The design of a sensitivity analysis: values with a range, at points that are a dimension of
+  /// the experiment.
+  struct Factor {
+    std::string path;
+    double from = 0.0, to = 1.0;
+  };
+  struct Sensitivity {
+    app::Design design;
+    std::vector<Factor> factors;
+  };
+  std::optional<Sensitivity> sensitivity;  // from manifest.json
 
   std::size_t commonPrefixLength = 0;  // length of the common folder of all scenarios
 

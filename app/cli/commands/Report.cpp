@@ -5,8 +5,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/PictureFiles.h"
-#include "app/report/Page.h"
+#include "app/cli/ReportFiles.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/OutputFolder.h"
@@ -27,6 +26,17 @@ struct ReportOptions {
   bool force = false;
 };
 
+/// The options of `sensitivity` that give a study its design; empty: it has none.
+std::vector<std::string> sensitivityOptions(const Study& study) {
+  const auto design = nlohmann::json::parse(study.design, nullptr, false);
+  if (!design.is_object() || study.shard.count > 1) {
+    return {};
+  }
+  const bool isMorris = design.value("method", "") == "morris";
+  return {"--method", isMorris ? "morris" : "sobol", "--points",
+          std::to_string(design.value("points", std::size_t{0}))};
+}
+
 /// Error if the batch has no results.csv yet because it is running or was killed. Empty if
 /// results.csv exists or there is no batch.
 base::Diagnostics checkBatchFinished(const std::string& folder) {
@@ -44,8 +54,16 @@ base::Diagnostics checkBatchFinished(const std::string& folder) {
                      : results.diagnostics();
   }
   const Study& study = results->store->study();
-  std::vector<std::string> words = {"hunavsim", "batch", study.experimentPath,
-                                    "-o",       folder,  "--resume"};
+  std::vector<std::string> words = {
+      "hunavsim",
+      study.design.empty() || study.shard.count > 1 ? "batch" : "sensitivity",
+      study.experimentPath,
+      "-o",
+      folder,
+      "--resume"};
+  for (const std::string& word : sensitivityOptions(study)) {
+    words.push_back(word);
+  }
   if (study.shard.count > 1) {
     words.insert(words.end(), {"--shard", study.shard.text()});
   }
@@ -101,40 +119,6 @@ base::Diagnostics parseReportOptions(const ReportOptions& options,
   return problems;
 }
 
-/// All files of a report, relative to its folder.
-std::vector<base::FileContent> filesOf(const report::Report& report, bool withPdf) {
-  std::vector<base::FileContent> files = {{"report.html", report.html}};
-  for (const report::Figure& figure : report.figures) {
-    files.push_back({"figures/" + figure.name() + ".svg", figure.standalone()});
-    if (withPdf) {
-      files.push_back({"figures/" + figure.name() + ".pdf", figureFile(figure, ".pdf")});
-    }
-  }
-  for (const report::Table& table : report.tables) {
-    files.push_back({"tables/" + table.name + ".csv", report::tableCsv(table)});
-    files.push_back({"tables/" + table.name + ".tex", report::tableLatex(table)});
-  }
-  for (const auto& [name, text] : report.moreTables) {
-    files.push_back({"tables/" + name + ".csv", text});
-  }
-  return files;
-}
-
-/// Figures and tables of an earlier report, which may contain other metrics.
-base::Result<std::vector<std::string>> earlierFiles(const std::string& folder) {
-  const base::Result<Manifest> manifest = readManifest(folder, Manifest::kHiddenName);
-  if (!manifest) {
-    return manifest.diagnostics();
-  }
-  std::vector<std::string> names;
-  for (const auto& [name, hash] : manifest->outputs) {
-    if (name.rfind("figures/", 0) == 0 || name.rfind("tables/", 0) == 0) {
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
 int reportCommand(const ReportOptions& options, const Invocation& given) {
   report::StudyOptions studyOptions = options.studyOptions;
   requireFine(parseReportOptions(options, studyOptions), ExitWrongCommandLine);
@@ -145,15 +129,13 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
   requireFine(study.diagnostics());
   std::vector<std::string> words = given.words();
   words.front() = "hunavsim";
-  const report::Report report =
-      report::makeReport(*study, studyOptions.weights, words,
-                         [&progress](const std::string& what) { progress.show(what); });
-  requireFine(report.problems);
-  const std::vector<base::FileContent> files = filesOf(report, !options.noPdf);
-  const base::Result<std::vector<std::string>> earlier = earlierFiles(options.studyOptions.folder);
-  requireFine(earlier.diagnostics());
-  requireFine(writeIntoForeignFolder(options.studyOptions.folder, files, "report", options.force,
-                                     *earlier));
+  const auto onProgress = [&progress](const std::string& what) { progress.show(what); };
+  const base::Result<report::Report> report =
+      study->sensitivity ? sensitivityReport(*study, words)
+                         : report::makeReport(*study, studyOptions.weights, words, onProgress);
+  requireFine(report ? report->problems : report.diagnostics());
+  const std::vector<base::FileContent> files = filesOf(*report, !options.noPdf);
+  requireFine(writeReport(studyOptions.folder, files, options.force));
   if (given.json) {
     nlohmann::ordered_json written = nlohmann::ordered_json::array();
     for (const base::FileContent& file : files) {
@@ -164,7 +146,7 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
     printLine((fs::path(options.studyOptions.folder) / "report.html").string());
   }
   // otherwise the report is incomplete
-  return report.problems.empty() && !study->isExperimentUnreadable ? ExitFine : ExitRunFailed;
+  return report->problems.empty() && !study->isExperimentUnreadable ? ExitFine : ExitRunFailed;
 }
 
 Drawing drawingOfReport(const ReportOptions& /*options*/) {

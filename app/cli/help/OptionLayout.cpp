@@ -95,6 +95,8 @@ constexpr OptionLayout kLayouts[] = {
     {"--allow-code", "Robot", kByType, kAny},
 
     {"--metric", "Statistics", "KEY:MARGIN", kAny},
+    {"--method", "Statistics", kByType, "sensitivity"},
+    {"--points", "Statistics", "N", "sensitivity"},
     {"--compare", "Statistics", "PATH", kAny},
     {"--pareto", "Statistics", "KEY,KEY", kAny},
     {"--weights", "Statistics", "KEY=WEIGHT,…", kAny},
@@ -174,23 +176,15 @@ struct CommandPlace {
 
 /// In the order of the help.
 constexpr CommandPlace kCommands[] = {
-    {"run", "Run and measure"},
-    {"evaluate", "Run and measure"},
-    {"render", "Run and measure"},
-    {"futures", "Run and measure"},
-    {"batch", "Studies"},
-    {"merge", "Studies"},
-    {"report", "Studies"},
-    {"gate", "Studies"},
-    {"pack", "Studies"},
-    {"verify", "Studies"},
-    {"check", "Scenarios"},
-    {"convert", "Scenarios"},
-    {"trees", "Scenarios"},
-    {"list", "Scenarios"},
-    {"validate", "Program"},
-    {"bench", "Program"},
-    {"serve", "Live view and ROS 2"},
+    {"run", "Run and measure"},    {"evaluate", "Run and measure"},
+    {"render", "Run and measure"}, {"futures", "Run and measure"},
+    {"batch", "Studies"},          {"merge", "Studies"},
+    {"report", "Studies"},         {"sensitivity", "Studies"},
+    {"gate", "Studies"},           {"pack", "Studies"},
+    {"verify", "Studies"},         {"check", "Scenarios"},
+    {"convert", "Scenarios"},      {"trees", "Scenarios"},
+    {"list", "Scenarios"},         {"validate", "Program"},
+    {"bench", "Program"},          {"serve", "Live view and ROS 2"},
 };
 
 }  // namespace

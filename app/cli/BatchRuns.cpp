@@ -1,0 +1,72 @@
+#include "app/cli/BatchRuns.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "app/cli/Console.h"
+#include "app/run/Batch.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+std::string batchProgressText(std::size_t finished, std::size_t total, double rate) {
+  std::string text = std::to_string(finished) + " / " + std::to_string(total) + " runs";
+  if (rate > 0.0) {
+    text += ", " + base::formatDecimals(std::round(rate * 10.0) / 10.0, 1) + " runs/s, " +
+            durationText(static_cast<double>(total - finished) / rate) + " left";
+  }
+  return text;
+}
+
+}  // namespace
+
+base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& runner,
+                              BatchFolder& folder, const BatchRunOptions& options) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const ResultStore& store = folder.store();
+  const std::size_t total = store.study().shard.runCount(store.study().runs);
+  const std::size_t before = store.finished();
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress(options.quiet);
+  const auto printRow = [&](const StoredRun& run) { print(rowJson(store.study(), run) + "\n"); };
+  if (options.rows) {
+    print(headerJson(store) + "\n");
+    base::Diagnostics unreadable = store.forEach(printRow);
+    if (!unreadable.empty()) {
+      return unreadable;
+    }
+  }
+  const auto show = [&] {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const auto made = static_cast<double>(store.finished() - before);
+    progress.show(batchProgressText(store.finished(), total, made / elapsed.count()));
+  };
+  show();
+  BatchJob job;
+  job.runs = folder.missing();
+  job.jobs = options.jobs > 0 ? options.jobs : cores;
+  const double limit = store.study().timeLimit;
+  job.timeLimit = limit > 0.0 ? limit : job.timeLimit;
+  job.execute = [&](std::size_t run, const BatchJob::ReportInputs& reportInputs) {
+    return runner.run(run, reportInputs);
+  };
+  job.storeRow = [&](std::size_t run, const ResultRow& row) {
+    const Experiment::Run values = experiment.run(run);
+    const StoredRun stored{run, experiment.scenarios[values.scenario], values.seed, values.values,
+                           row};
+    base::Diagnostics problems = folder.add(stored);
+    if (options.rows && problems.empty()) {
+      printRow(stored);
+    }
+    show();
+    return problems;
+  };
+  job.wantsStop = wasInterrupted;
+  return runBatch(job);
+}
+
+}  // namespace app

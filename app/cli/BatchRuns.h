@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/run/BatchFolder.h"
+#include "app/run/ExperimentRunner.h"
+
+namespace app {
+
+struct BatchRunOptions {
+  int jobs = 0;        // 0 = number of cores
+  bool rows = false;   // print rows to standard output
+  bool quiet = false;  // no progress
+};
+
+/// Executes the missing runs of the folder in worker processes, with progress on standard error;
+/// Ctrl-C ends them. Returns errors that ended them early.
+base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& runner,
+                              BatchFolder& folder, const BatchRunOptions& options);
+
+}  // namespace app
