@@ -11,6 +11,7 @@
 #include "app/cli/RunObservers.h"
 #include "app/cli/RunPicture.h"
 #include "app/report/RunPictures.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 #include "editor/panels/MetricsDock.h"
@@ -394,7 +395,7 @@ void FigureCommands::copyPlot() {
   const auto [size, paint] = paintingOf(plot);
   QGuiApplication::clipboard()->setMimeData(copiedFigure(size, plot.standalone(), paint).release());
   Q_EMIT message(
-      tr("Copied the plot of “%1” as PNG and SVG").arg(QString::fromStdString(result->info.name)));
+      tr("Copied the plot of “%1” as PNG and SVG").arg(editor::coreText(result->info.name)));
 }
 
 }  // namespace app

@@ -6,6 +6,7 @@
 #include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/CoreText.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -307,8 +308,7 @@ void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& peopl
       }
     }
   }
-  pushTrees(document, std::move(edits),
-            QObject::tr("Add block %1").arg(QString::fromStdString(kind->title)));
+  pushTrees(document, std::move(edits), QObject::tr("Add block %1").arg(coreText(kind->title)));
 }
 
 void pushGoalsOfRoute(ScenarioDocument& document, EntityId person) {

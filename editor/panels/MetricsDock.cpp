@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/look/CoreText.h"
 #include "editor/panels/MetricDelegates.h"
 #include "editor/panels/PanelRegistry.h"
 
@@ -163,7 +164,7 @@ void MetricsDock::showPlot() {
   const metrics::MetricInfo info = result != nullptr  ? result->info
                                    : known != nullptr ? known->info
                                                       : metrics::MetricInfo();
-  plot_->show(QString::fromStdString(info.name), QString::fromStdString(info.unit),
+  plot_->show(coreText(info.name), QString::fromStdString(info.unit),
               {{curveOf(feed_.snapshot(), shown_)}});
 }
 

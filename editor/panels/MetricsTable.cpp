@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/TableExport.h"
 #include "editor/panels/MetricDelegates.h"
 #include "editor/panels/RowDelegate.h"
@@ -42,9 +43,8 @@ const metrics::MetricInfo& infoOf(const QTreeWidgetItem* row) {
 /// "Path length", then its formula and source.
 QString descriptionOf(const metrics::MetricInfo& info) {
   QStringList lines;
-  for (const std::string& line : {info.name, info.formula, info.source}) {
-    lines << QString::fromStdString(line);
-  }
+  lines << coreText(info.name) << QString::fromStdString(info.formula)
+        << QString::fromStdString(info.source);
   lines.removeAll(QString());
   return lines.join(QLatin1Char('\n'));
 }
@@ -159,8 +159,8 @@ void MetricsTable::build() {
   bold.setWeight(QFont::DemiBold);
   for (int i = 0; i < metrics::kCategories; ++i) {
     const auto category = static_cast<metrics::Category>(i);
-    auto* group = new QTreeWidgetItem(
-        tree_, QStringList(QString::fromLatin1(metrics::categoryName(category))));
+    auto* group =
+        new QTreeWidgetItem(tree_, QStringList(coreText(metrics::categoryName(category))));
     group->setFont(NameColumn, bold);
     group->setTextAlignment(NowColumn, kNumberAlignment);
     group->setExpanded(i < kOpenGroups);
@@ -173,7 +173,7 @@ void MetricsTable::build() {
 
 QTreeWidgetItem* MetricsTable::addRow(QTreeWidgetItem* parent, const metrics::MetricInfo& info) {
   auto* row = new QTreeWidgetItem(parent);
-  row->setText(NameColumn, QString::fromStdString(info.name));
+  row->setText(NameColumn, coreText(info.name));
   row->setText(UnitColumn, QString::fromStdString(info.unit));
   row->setTextAlignment(NowColumn, kNumberAlignment);
   row->setTextAlignment(UnitColumn, kTextAlignment);

@@ -3,6 +3,7 @@
 
 #include "bt/human/BehaviorBlocks.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/trees/TreeCanvas.h"
@@ -87,7 +88,7 @@ QString portsText(const bt::NodeManifest& manifest) {
     line += port.fallbackText() == nullptr || port.fallbackText()->empty()
                 ? QString()
                 : QObject::tr(", default %1").arg(qtText(*port.fallbackText()));
-    lines << line + QStringLiteral("): ") + qtText(port.help);
+    lines << line + QStringLiteral("): ") + coreText(port.help);
   }
   return lines.join(QLatin1Char('\n'));
 }
@@ -182,7 +183,7 @@ void NodePalette::addRows() {
       if (manifest.kind == kind) {
         const QString ports = portsText(manifest);
         addNode(*group, defaultNode(manifest.id), qtText(manifest.id),
-                qtText(manifest.description) +
+                coreText(manifest.description) +
                     (ports.isEmpty() ? QString() : QLatin1Char('\n') + ports));
       }
     }
@@ -194,7 +195,7 @@ void NodePalette::addRows() {
   for (const bt::BlockType& kind : bt::blockTypes()) {
     bt::Block block;
     block.id = kind.id;
-    addNode(*templates, bt::blockToNode(block), qtText(kind.title), qtText(kind.description));
+    addNode(*templates, bt::blockToNode(block), coreText(kind.title), coreText(kind.description));
   }
 }
 

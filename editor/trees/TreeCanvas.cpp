@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/document/PersonTree.h"
+#include "editor/look/CoreText.h"
 #include "editor/panels/behavior/TreeOutline.h"
 
 namespace editor {
@@ -201,7 +202,7 @@ QString TreeCanvas::tipOf(int node) const {
   lines << (values.isEmpty() ? QStringList() : QStringList(values));
   lines.removeDuplicates();
   lines << (manifest == nullptr ? tr("Unknown node type; it is kept unchanged.")
-                                : QString::fromStdString(manifest->description));
+                                : coreText(manifest->description));
   if (!graph_.isEditable(node)) {
     lines << tr("In an included file: read-only here");
   }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "editor/look/CoreText.h"
 #include "editor/panels/behavior/TreeOutline.h"
 
 namespace editor {
@@ -36,7 +37,7 @@ QString nodeDetail(const bt::NodeSpec& node) {
   }
   parts << nodeValues(node);
   parts.removeAll(QString());
-  return parts.isEmpty() ? QString::fromLatin1(bt::nodeKindName(manifest->kind))
+  return parts.isEmpty() ? coreText(bt::nodeKindName(manifest->kind))
                          : parts.join(QStringLiteral(" · "));
 }
 

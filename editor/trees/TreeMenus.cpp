@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "editor/document/PersonTree.h"
+#include "editor/look/CoreText.h"
 #include "editor/panels/behavior/TreeOutline.h"
 #include "editor/trees/TreeEditor.h"
 #include "editor/trees/TreeRefusals.h"
@@ -57,12 +58,12 @@ void TreeEditor::addKinds(QMenu& menu, const QString& title, bool areParents,
     if (areParents && !isParent) {
       continue;
     }
-    QMenu* part = all->addMenu(QString::fromLatin1(bt::nodeKindName(kind)));
+    QMenu* part = all->addMenu(coreText(bt::nodeKindName(kind)));
     for (const bt::NodeManifest& manifest : treeCatalogue().all()) {
       if (manifest.kind == kind) {
         QAction* action = part->addAction(QString::fromStdString(manifest.id), this,
                                           [take, id = manifest.id] { take(id); });
-        action->setToolTip(QString::fromStdString(manifest.description));
+        action->setToolTip(coreText(manifest.description));
         setPossible(*action, whyNot(defaultNode(manifest.id)));
       }
     }

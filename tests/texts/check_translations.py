@@ -13,7 +13,7 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-FOLDERS = ["editor", "app/window"]
+FOLDERS = ["editor", "app/window", "resources/translations"]
 
 
 def updated(root, lupdate, file, folder):

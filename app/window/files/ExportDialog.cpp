@@ -3,6 +3,7 @@
 
 #include "app/window/files/FileDialogs.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "sim2d/base/Text.h"
@@ -154,7 +155,7 @@ QWidget* ExportDialog::makeStart() {
 
 void ExportDialog::fillTargets() {
   for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
-    auto* item = new QListWidgetItem(QString::fromStdString(target.title), targets_);
+    auto* item = new QListWidgetItem(editor::coreText(target.title), targets_);
     item->setData(Qt::UserRole, QString::fromStdString(target.name));
     item->setSizeHint(QSize(0, 28));
     item->setToolTip(target.package.empty()

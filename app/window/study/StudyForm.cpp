@@ -2,6 +2,7 @@
 #include "app/run/Nav2Robots.h"
 #include "app/window/files/FileDialogs.h"
 #include "app/window/study/StudyPanel.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
@@ -184,7 +185,7 @@ QWidget* StudyForm::makePlanners() {
     if (needsConfiguration(name)) {
       continue;
     }
-    addPlanner(name, QString::fromStdString(planner.help));
+    addPlanner(name, editor::coreText(planner.help));
   }
   planners_->setFlow(QListView::LeftToRight);
   planners_->setWrapping(true);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/report/Markup.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/Form.h"
 #include "editor/look/TableExport.h"
 #include "metrics/MetricRegistry.h"
@@ -115,7 +116,8 @@ const std::vector<StudyMetric>& studyMetrics() {
 }
 
 QString StudyMetric::heading() const {
-  return unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
+  const QString shown = editor::coreText(title.toStdString());  // the list is made once
+  return unit.isEmpty() ? shown : QStringLiteral("%1 [%2]").arg(shown, unit);
 }
 
 report::Estimate estimateOf(const StudyMetric& metric, const std::vector<const StudyRow*>& rows) {

@@ -5,6 +5,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/tools/ToolOptionFields.h"
@@ -154,7 +155,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
   people_->setHint(tr("No people yet"));
   about_->setWordWrap(true);
   for (const bt::BlockType& kind : bt::blockTypes()) {
-    new QListWidgetItem(QString::fromStdString(kind.title), kinds_);
+    new QListWidgetItem(coreText(kind.title), kinds_);
   }
   addPeople(*people_, document, theme);
   auto* middle = new QWidget(this);
@@ -190,7 +191,7 @@ void BlockDialog::showKind() {
     return;
   }
   const bt::BlockType& kind = bt::blockTypes()[static_cast<std::size_t>(row)];
-  about_->setText(QString::fromStdString(kind.description) + QLatin1Char('.'));
+  about_->setText(coreText(kind.description) + QLatin1Char('.'));
   block_ = {kind.id, {}};
   showBlock();
 }

@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include "bt/human/TreeBehavior.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/RowDelegate.h"
@@ -183,10 +184,10 @@ void TreeOutline::showTree(const PersonTree& tree) {
     const QString values = nodeValues(*node.node);
     row->setData(0, kSideTextRole, values.isEmpty() ? nodeKindText(*node.node) : values);
     const bt::NodeManifest* manifest = treeCatalogue().find(node.node->id);
-    row->setToolTip(0, manifest == nullptr ? QString::fromStdString(node.node->id)
-                                           : QStringLiteral("%1\n%2").arg(
-                                                 QString::fromStdString(node.node->id),
-                                                 QString::fromStdString(manifest->description)));
+    row->setToolTip(0, manifest == nullptr
+                           ? QString::fromStdString(node.node->id)
+                           : QStringLiteral("%1\n%2").arg(QString::fromStdString(node.node->id),
+                                                          coreText(manifest->description)));
     rows_.push_back(row);
     paintRow(i);
   }

@@ -5,6 +5,7 @@
 
 #include "bt/tree/NodeCatalogue.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/CoreText.h"
 #include "editor/panels/behavior/BehaviorDialogs.h"
 #include "sim2d/base/Text.h"
 
@@ -80,7 +81,7 @@ ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {
   row.key = port.key;
   row.label = qt(port.key);
   row.text = text == nullptr ? std::string() : *text;
-  row.help = qt(port.help);
+  row.help = coreText(port.help);
   row.defaultText = defaultTextOf(port);
   if (takesNumber(port, row.text)) {
     row.kind = Kind::Number;
@@ -109,7 +110,8 @@ QString modeText(const std::string& mode) {
       {"specific", QT_TRANSLATE_NOOP("QObject", "A person by name")},
       {"robot", QT_TRANSLATE_NOOP("QObject", "The robot")}};
   const auto known = kWords.find(mode);
-  return known == kWords.end() ? capitalized(qt(mode)) : QObject::tr(known->second);
+  return known == kWords.end() ? coreText(capitalized(qt(mode)).toStdString())
+                               : QObject::tr(known->second);
 }
 
 ValueRow repeatRow(const bt::Block& block) {
@@ -165,7 +167,7 @@ ValueRow rowOf(const bt::BlockParameter& parameter, const bt::Block& block,
              : parameter.kind == Of::People ? Kind::Choices
                                             : Kind::Choice;
   row.key = parameter.key;
-  row.label = qt(parameter.label);
+  row.label = coreText(parameter.label);
   row.text = block.value(parameter.key);
   row.isVisible = parameter.mode.empty() || block.value("mode") == parameter.mode;
   row.unit = qt(parameter.unit);
@@ -207,7 +209,7 @@ ValueRows blockRows(const bt::Block& block, const ScenarioDocument& document) {
   }
   rows.push_back(repeatRow(block));
   rows.push_back(chanceRow(block));
-  return {qt(kind.id), qt(kind.title), {}, std::move(rows)};
+  return {qt(kind.id), coreText(kind.title), {}, std::move(rows)};
 }
 
 void setValue(bt::Block& block, const std::string& key, const QString& text) {

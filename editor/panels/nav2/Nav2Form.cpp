@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/look/CoreText.h"
 #include "editor/look/Fields.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -73,7 +74,7 @@ QString words(const std::string& text) {
 
 bool matchesSearch(const app::Nav2Parameter& parameter, const QString& searched) {
   return words(parameter.node + "." + parameter.name).contains(searched, Qt::CaseInsensitive) ||
-         words(parameter.meaning).contains(searched, Qt::CaseInsensitive);
+         coreText(parameter.meaning).contains(searched, Qt::CaseInsensitive);
 }
 
 /// "3.5 rad/s"
@@ -326,7 +327,7 @@ void Nav2Form::showRow(std::size_t index) {
   QTreeWidgetItem& row = *rows_[index];
   QFont letters = font();
   letters.setWeight(parameter.given ? QFont::DemiBold : QFont::Normal);
-  const QString meaning = capitalized(words(parameter.meaning));
+  const QString meaning = capitalized(coreText(parameter.meaning));
   const bool pending = isPending(parameter);
   const QString later = pending ? QLatin1Char('\n') + tr("Applies at the next start") : QString();
   row.setIcon(Nav2ValueColumn, pending ? dotIcon(mark_) : QIcon());
@@ -405,7 +406,7 @@ void Nav2Form::showHelp() {
   }
   QStringList lines;
   if (!parameter->meaning.empty()) {
-    lines << capitalized(words(parameter->meaning));
+    lines << capitalized(coreText(parameter->meaning));
   }
   lines << tr("Nav2 default %1").arg(withUnit(parameter->fallback, *parameter)) +
                (parameter->fileValue

@@ -131,7 +131,7 @@ EntityField positionField(const QString& label, int axis) {
 
 EntityField headingField() {
   EntityField field = numberField(
-      QStringLiteral("Heading"), QStringLiteral("°"),
+      QCoreApplication::translate("Entity", "Heading"), QStringLiteral("°"),
       [](const Entity& entity) -> std::optional<double> {
         const std::optional<double> heading = headingOf(entity);
         return heading ? std::optional(std::round(*heading / kDegree * 10.0) / 10.0) : std::nullopt;
@@ -140,8 +140,10 @@ EntityField headingField() {
         entity = withHeading(std::move(entity), value.value_or(0.0) * kDegree);
       });
   field.spec.range = {-180.0, 180.0};
-  field.spec.form = {"Heading", 1, 5.0};
-  field.spec.help = "Counter-clockwise from the x axis";
+  field.spec.form.decimals = 1;
+  field.spec.form.step = 5.0;
+  field.spec.help =
+      QCoreApplication::translate("Entity", "Counter-clockwise from the x axis").toStdString();
   return field;
 }
 

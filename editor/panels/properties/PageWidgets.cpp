@@ -393,17 +393,18 @@ void paintHead(QPainter& painter, const Skin& skin) {
 }  // namespace
 
 const std::vector<Skin>& skinsOf(const std::string& simulator) {
-  static const std::vector<Skin> kGazebo = {{0, "Elegant man", "#37424F", kDark},
-                                            {1, "Casual man", "#7A6A4F", kBlond},
-                                            {2, "Elegant woman", "#7B3F61", kDark, Head::LongHair},
-                                            {3, "Regular man", "#4F6D5A", kDark},
-                                            {4, "Worker man", "#E08A1E", kDark, Head::Helmet},
-                                            {5, "Blue jeans", "#3E5F8A", kBlond},
-                                            {6, "Green t-shirt", "#3C9A5F", kDark},
-                                            {7, "Blue t-shirt", "#2F7FD0", kDark},
-                                            {8, "Red t-shirt", "#C8453B", kDark}};
+  static const std::vector<Skin> kGazebo = {
+      {0, QT_TRANSLATE_NOOP("Skin", "Elegant man"), "#37424F", kDark},
+      {1, QT_TRANSLATE_NOOP("Skin", "Casual man"), "#7A6A4F", kBlond},
+      {2, QT_TRANSLATE_NOOP("Skin", "Elegant woman"), "#7B3F61", kDark, Head::LongHair},
+      {3, QT_TRANSLATE_NOOP("Skin", "Regular man"), "#4F6D5A", kDark},
+      {4, QT_TRANSLATE_NOOP("Skin", "Worker man"), "#E08A1E", kDark, Head::Helmet},
+      {5, QT_TRANSLATE_NOOP("Skin", "Blue jeans"), "#3E5F8A", kBlond},
+      {6, QT_TRANSLATE_NOOP("Skin", "Green t-shirt"), "#3C9A5F", kDark},
+      {7, QT_TRANSLATE_NOOP("Skin", "Blue t-shirt"), "#2F7FD0", kDark},
+      {8, QT_TRANSLATE_NOOP("Skin", "Red t-shirt"), "#C8453B", kDark}};
   static const std::vector<Skin> kIsaac = {
-      {0, "Drawn by Isaac", "#8A94A0", kGrey, Head::Dice},
+      {0, QT_TRANSLATE_NOOP("Skin", "Drawn by Isaac"), "#8A94A0", kGrey, Head::Dice},
       {1, "F_Business_02", "#4A4F6A", kDark, Head::LongHair},
       {2, "F_Medical_01", "#63B7B0", kBlond, Head::LongHair},
       {3, "M_Medical_01", "#63B7B0", kDark},
@@ -420,6 +421,10 @@ const std::vector<Skin>& skinsOf(const std::string& simulator) {
                                             {2, "Sophia", "#6B4FA3", kDark, Head::LongHair},
                                             {3, "Anthony", "#5B7F45", kGrey}};
   return simulator == "Isaac Sim" ? kIsaac : simulator == "Webots" ? kWebots : kGazebo;
+}
+
+QString skinName(const Skin& skin) {
+  return QCoreApplication::translate("Skin", skin.name);
 }
 
 const Skin& skinFor(const std::string& simulator, int number) {

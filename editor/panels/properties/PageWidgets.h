@@ -90,6 +90,8 @@ struct Skin {
 
 /// For "Gazebo Classic", "Gazebo Fortress", "Isaac Sim" or "Webots"; Gazebo if none is named.
 const std::vector<Skin>& skinsOf(const std::string& simulator);
+/// For users: "Blue jeans", or the name of a model.
+QString skinName(const Skin& skin);
 /// The skin used for a number: outside of the range Webots uses the first, the others the last.
 const Skin& skinFor(const std::string& simulator, int number);
 

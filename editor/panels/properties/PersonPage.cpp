@@ -170,8 +170,8 @@ void PersonPage::addReactionSection() {
 void PersonPage::addForceSection() {
   forces_ = addSection(tr("Forces"));
   EntityField mode;
-  mode.spec.form.label = "Strength";
-  mode.spec.help = "Random strengths depend only on the seed and the person";
+  mode.spec.form.label = tr("Strength").toStdString();
+  mode.spec.help = tr("Random strengths depend only on the seed and the person").toStdString();
   mode.spec.choices = {"Default", "Custom values", "Random, normal", "Random, uniform"};
   mode.get = [choices = mode.spec.choices](const Entity& entity) {
     const auto own = personOf(entity).behavior.configuration;
@@ -183,7 +183,9 @@ void PersonPage::addForceSection() {
         static_cast<sim2d::Configuration>(word - choices.begin());
   };
   mode.spec.type = base::ParameterType::Choice;
-  addRow(forces_, mode);
+  addRow(forces_, mode,
+         withLabels(
+             {tr("Default"), tr("Custom values"), tr("Random, normal"), tr("Random, uniform")}));
   FieldOptions factor;
   factor.counts = [](const Entity& entity) {
     return personOf(entity).behavior.configuration == sim2d::Configuration::Custom;
@@ -263,7 +265,7 @@ void PersonPage::addMoreSection() {
       tr("Height z"), tr("m"), [](const Entity& entity) { return personOf(entity).initZ; },
       [](Entity& entity, std::optional<double> z) { personOf(entity).initZ = z; });
   height.spec.form.decimals = 3;
-  height.spec.help = "Height of the model in a 3D simulator; not used here";
+  height.spec.help = tr("Height of the model in a 3D simulator; not used here").toStdString();
   addRow(section, height);
   addField<Ours>(section, "tree", withPlaceholder(tr("automatic")));
 }
@@ -340,7 +342,7 @@ void PersonPage::addAppearanceSection() {
     const std::string simulator = document().scenario().simulator.value_or(std::string());
     choice->clear();
     for (const Skin& skin : skinsOf(simulator)) {
-      choice->addItem(skinIcon(skin, theme_), QLatin1String(skin.name), skin.number);
+      choice->addItem(skinIcon(skin, theme_), skinName(skin), skin.number);
     }
     const std::optional<int> worn =
         commonValue(shown, [](const Entity& each) { return personOf(each).skin.value_or(0); });
@@ -350,7 +352,7 @@ void PersonPage::addAppearanceSection() {
     for (const char* other : {"Gazebo Classic", "Isaac Sim", "Webots"}) {
       if (worn && &skinsOf(other) != &skinsOf(simulator)) {
         others << QStringLiteral("%1: %2").arg(QLatin1String(other),
-                                               QLatin1String(skinFor(other, *worn).name));
+                                               skinName(skinFor(other, *worn)));
       }
     }
     elsewhere->setText(others.join(QLatin1Char('\n')));

@@ -1,6 +1,7 @@
 #include "editor/panels/properties/PropertyPage.h"
 
 #include "editor/document/RunValues.h"
+#include "editor/look/CoreText.h"
 #include "sim2d/base/Find.h"
 
 namespace editor {
@@ -255,13 +256,15 @@ void PropertyPage::addUniqueNumber(FormSection* section, const QString& help, in
 
 QString labelOf(const base::ParameterSpec& spec) {
   if (!spec.form.label.empty()) {
-    return QString::fromStdString(spec.form.label);
+    return coreText(spec.form.label);
   }
-  return capitalized(QString::fromStdString(spec.key).replace(QLatin1Char('_'), QLatin1Char(' ')));
+  const QString words =
+      QString::fromStdString(spec.key).replace(QLatin1Char('_'), QLatin1Char(' '));
+  return coreText(capitalized(words).toStdString());
 }
 
 QString helpOf(const base::ParameterSpec& spec) {
-  return QString::fromStdString(spec.help).remove(QLatin1Char('`'));
+  return coreText(spec.help).remove(QLatin1Char('`'));
 }
 
 QWidget* PropertyPage::addRow(FormSection* section, const EntityField& field,
@@ -321,8 +324,8 @@ void PropertyPage::addParameterRows(FormSection* section, const ParameterOwner& 
 void PropertyPage::addListedRow(FormSection* section) {
   EntityField field;
   field.spec.type = ParameterType::Boolean;
-  field.spec.form.label = "Active";
-  field.spec.help = "Off: kept in the file, but not in the run";
+  field.spec.form.label = tr("Active").toStdString();
+  field.spec.help = tr("Off: kept in the file, but not in the run").toStdString();
   field.get = isListed;
   field.set = [](Entity& entity, const ParameterValue& on) {
     setListed(entity, std::get<bool>(on));
@@ -383,7 +386,7 @@ std::vector<ParameterValue> fillChoice(QComboBox& box, const EntityField& field,
   }
   int index = 0;
   for (const std::string& value : field.spec.choices.empty() ? look.names : field.spec.choices) {
-    box.addItem(index < look.labels.size() ? look.labels[index] : QString::fromStdString(value));
+    box.addItem(index < look.labels.size() ? look.labels[index] : coreText(value));
     box.setItemData(box.count() - 1, index < look.hints.size() ? look.hints[index] : QString(),
                     Qt::ToolTipRole);
     values.emplace_back(value);

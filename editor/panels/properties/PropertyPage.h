@@ -6,6 +6,7 @@
 #include <QtWidgets>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/look/Theme.h"
@@ -99,7 +100,7 @@ class PropertyPage : public QWidget {
         place = known->second;
       } else if (!field.isStructure() && shown.count(field.spec.key) == 0) {
         if (!field.group.empty()) {
-          addField<T>(foldOf(QString::fromStdString(field.group)), field.spec.key);
+          addField<T>(foldOf(coreText(field.group)), field.spec.key);
           continue;
         }
         addField<T>(place.section, field.spec.key);

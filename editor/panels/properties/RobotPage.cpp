@@ -2,6 +2,7 @@
 #include <QToolTip>
 
 #include "app/run/Nav2Robots.h"
+#include "editor/look/CoreText.h"
 #include "editor/panels/properties/EntityPages.h"
 #include "editor/panels/properties/PageWidgets.h"
 #include "editor/run/SimulationRunner.h"
@@ -197,7 +198,7 @@ void RobotPage::setTheme(const Theme& theme) {
 void RobotPage::addTypeRows(FormSection* section, const sim2d::Registries& registries) {
   const auto title = [](const std::string& name) {
     const sim2d::RobotType* const type = sim2d::findRobotType(name);
-    return QString::fromStdString(type != nullptr ? type->title : name);
+    return coreText(type != nullptr ? type->title : name);
   };
   addField<Robot>(
       section, "type",
@@ -221,7 +222,7 @@ void RobotPage::addTypeRows(FormSection* section, const sim2d::Registries& regis
 void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& registries) {
   std::map<std::string, QString> helps;
   for (const auto& planner : registries.planners.entries()) {
-    helps[planner.name] = QString::fromStdString(planner.help);
+    helps[planner.name] = coreText(planner.help);
   }
   const auto helpOfName = [helps](const std::string& name) {
     const auto known = helps.find(name);

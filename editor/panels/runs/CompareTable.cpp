@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "editor/look/CoreText.h"
 #include "editor/look/TableExport.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/panels/runs/Playback.h"
@@ -250,10 +251,11 @@ void CompareTable::fillRow(int row) {
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment(
         static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-    item->setToolTip(QString::fromStdString(metric.info.name + "\n" + metric.info.formula));
+    item->setToolTip(coreText(metric.info.name) + QLatin1Char('\n') +
+                     QString::fromStdString(metric.info.formula));
     table_->setItem(row, column, item);
   };
-  put(0, QString::fromStdString(metric.info.name), false);
+  put(0, coreText(metric.info.name), false);
   for (int k = 0; k < runs; ++k) {
     put(1 + k, valueText(metric.info, metric.values[static_cast<std::size_t>(k)]), true);
   }
@@ -296,7 +298,7 @@ void CompareTable::showSelected() {
     lines.push_back({curve == shown_.measures[k].curves.end() ? nullptr : &curve->second,
                      shown_.runs[k].style, shown_.runs[k].letter});
   }
-  plot_->show(QString::fromStdString(info.name), QString::fromStdString(info.unit), lines);
+  plot_->show(coreText(info.name), QString::fromStdString(info.unit), lines);
 }
 
 }  // namespace editor

@@ -14,6 +14,7 @@
 #include <qwt_scale_widget.h>
 
 #include "editor/canvas/ComparedRunLayers.h"
+#include "editor/look/CoreText.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
@@ -277,9 +278,8 @@ void MetricPlot::show(const QString& name, const QString& unit, const std::vecto
   QStringList words;
   axisUnit_ = unit;
   if (known != lines.end() && !known->curve->times.empty()) {
-    axisUnit_ = QString::fromStdString(known->curve->axisUnit());
-    words << QString::fromStdString(known->curve->meaning())
-          << QString::fromStdString(known->curve->unit);
+    axisUnit_ = coreText(known->curve->axisUnit());
+    words << coreText(known->curve->meaning()) << QString::fromStdString(known->curve->unit);
   }
   words.removeAll(QString());
   unit_->setText(words.join(QStringLiteral(" · ")));
