@@ -132,6 +132,16 @@ base::Diagnostics foreignInputs(const std::vector<app::InputHash>& used,
   return problems;
 }
 
+base::Diagnostics atMembers(base::Diagnostics problems, const std::string& root,
+                            const std::string& file) {
+  for (base::Diagnostic& problem : problems) {
+    if (base::startsWith(problem.file, root)) {
+      problem.file = file + problem.file.substr(root.size());
+    }
+  }
+  return problems;
+}
+
 base::Result<std::string> unpackStudy(const std::string& file, const std::string& folder) {
   const base::Result<std::unique_ptr<ArchiveReader>> archive = ArchiveReader::open(file);
   if (!archive) {

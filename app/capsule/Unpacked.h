@@ -44,6 +44,10 @@ base::Diagnostics foreignInputs(const std::vector<app::InputHash>& used,
                                 const CapsuleManifest& manifest, const std::string& root,
                                 const std::string& file);
 
+/// Replaces the folder of an unpacked capsule in places of problems by the name of the capsule.
+base::Diagnostics atMembers(base::Diagnostics problems, const std::string& root,
+                            const std::string& file);
+
 /// Unpacks a capsule into a folder, which must be empty or missing, so that its study can be
 /// opened; returns the folder of the study. No checksums are compared.
 base::Result<std::string> unpackStudy(const std::string& file, const std::string& folder);

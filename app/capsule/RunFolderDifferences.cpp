@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "app/capsule/Rerun.h"
+#include "app/capsule/TableDifferences.h"
+#include "app/run/ManifestFiles.h"
+#include "sim2d/base/Text.h"
+
+namespace capsule {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isOfMetrics(const std::string& name) {
+  return base::startsWith(name, "metrics") || base::startsWith(name, "steps");
+}
+
+/// Tables and headers of a run, without files of other programs.
+void addRunFileNames(const std::string& folder, bool withMetrics, std::set<std::string>& names) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool isTable = base::endsWith(name, ".csv") || base::endsWith(name, ".json");
+    const bool isCompared = name != "counterfactual.csv" && name.front() != '.';
+    if (entry.is_regular_file(ignored) && isTable && isCompared &&
+        (withMetrics || !isOfMetrics(name))) {
+      names.insert(name);
+    }
+  }
+}
+
+/// Without times of the clock, and without paths, which differ.
+const std::vector<std::string>& comparedManifestKeys() {
+  static const std::vector<std::string> kKeys = {"status",       "reason", "seed",
+                                                 "dt",           "model",  "compat",
+                                                 "record_every", "steps",  "simulated_seconds",
+                                                 "humans",       "robots"};
+  return kKeys;
+}
+
+}  // namespace
+
+base::Diagnostics runFolderDifferences(const std::string& stored, const std::string& repeated,
+                                       const std::string& place, bool withMetrics) {
+  std::set<std::string> names;
+  addRunFileNames(stored, withMetrics, names);
+  addRunFileNames(repeated, withMetrics, names);
+  base::Diagnostics problems;
+  for (const std::string& name : names) {
+    const base::Result<std::string> was =
+        base::readTextFile(app::pathIn(stored, name), base::kMaxRecord);
+    const base::Result<std::string> is =
+        base::readTextFile(app::pathIn(repeated, name), base::kMaxRecord);
+    if (!was || !is) {
+      problems.push_back(
+          base::error(was ? "capsule.not-written" : "capsule.missing", {}, place + name));
+    } else if (name == app::Manifest::kName) {
+      base::append(problems, jsonDifferences(*was, *is, place + name, comparedManifestKeys()));
+    } else if (base::endsWith(name, ".json")) {
+      base::append(problems, jsonDifferences(*was, *is, place + name));
+    } else {
+      base::append(problems, firstCsvDifference(*was, *is, place + name));
+    }
+  }
+  return problems;
+}
+
+}  // namespace capsule
