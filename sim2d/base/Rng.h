@@ -32,6 +32,7 @@ enum class DrawPurpose : std::uint32_t {
   Optimizer = 18,     // of CMA-ES: agent = run, step = generation, index = point and coordinate
   Restart = 19,       // of CMA-ES: agent = run, index = coordinate of its first mean
   Audit = 21,         // of runs that are repeated, index = place in the sample
+  Search = 20,        // of a search for failures: step = number of the draw
 };
 
 class AgentRng {

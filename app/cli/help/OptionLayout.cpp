@@ -58,6 +58,15 @@ constexpr OptionLayout kLayouts[] = {
     {"--topics", "Input file", "PART=NAME,…", kAny},
     {"--reference", "Input file", "RUN|FILE", kAny},
 
+    {"--worst", "Search", "KEY", kAny},
+    {"--until-failure", "Search", kByType, kAny},
+    {"--failures", "Search", "N", kAny},
+    {"--runs", "Search", "N", kAny},
+    {"--search-seed", "Search", "N", kAny},
+    {"--descriptor", "Search", "KEY:LOW:HIGH:CELLS", kAny},
+    {"--shrink-runs", "Search", "N", kAny},
+    {"--all-contacts", "Search", kByType, kAny},
+
     {"--seed", "Run", "N", kAny},
     {"--seeds", "Run", "N", kAny},
     {"--first-seed", "Run", "N", "gate"},

@@ -1,0 +1,291 @@
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/cli/Console.h"
+#include "app/report/SearchPage.h"
+#include "app/run/DataPaths.h"
+#include "app/studies/SearchStudy.h"
+#include "app/studies/StudyFolder.h"
+#include "metrics/MetricRegistry.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+struct SearchOptions {
+  std::string experiment, output, worst;
+  std::vector<std::string> descriptors;
+  std::size_t runs = 500, failures = 1, shrinkRuns = 400;
+  std::uint64_t seed = 1;
+  int jobs = 0;            // 0 = number of cores
+  double timeLimit = 0.0;  // [s]; 0 = none
+  bool untilFailure = false, allContacts = false, allowCode = false, resume = false, force = false;
+};
+
+std::vector<std::string> metricKeys(bool withDirectionOnly) {
+  std::vector<std::string> keys;
+  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
+    if (!withDirectionOnly || worseDirection(entry.info.key) != 0) {
+      keys.push_back(entry.info.key);
+    }
+  }
+  return keys;
+}
+
+std::string descriptorProblem(const std::string& text) {
+  return parseDescriptor(text) ? std::string()
+                               : "expected KEY:LOW:HIGH:CELLS with LOW < HIGH, not '" + text + "'";
+}
+
+/// Ends the command if the options are wrong.
+SearchPlan searchPlanOf(const SearchOptions& options) {
+  SearchPlan plan;
+  base::Diagnostics problems;
+  if (options.worst.empty() != options.untilFailure) {
+    problems.push_back(base::error("search.no-goal"));
+  }
+  if (!options.worst.empty() && worseDirection(options.worst) == 0) {
+    problems.push_back(
+        base::error("search.unknown-metric",
+                    {options.worst, base::nearestName(options.worst, metricKeys(true))}));
+  }
+  for (std::size_t k = 0; k < options.descriptors.size(); ++k) {
+    plan.descriptors[k] = *parseDescriptor(options.descriptors[k]);
+    const std::string& key = plan.descriptors[k].key;
+    if (metrics::standardRegistry().find(key) == nullptr) {
+      problems.push_back(base::error("search.unknown-descriptor",
+                                     {key, base::nearestName(key, metricKeys(false))}));
+    }
+  }
+  requireFine(problems, ExitWrongCommandLine);
+  plan.worst = options.worst;
+  plan.runs = options.runs;
+  plan.failures = options.failures;
+  plan.shrinkRuns = options.shrinkRuns;
+  plan.seed = options.seed;
+  if (!options.allContacts) {
+    plan.countsAgainstRobot = avoidabilityJudge(loadMapImage, wasInterrupted);
+  }
+  return plan;
+}
+
+/// Runs of the search, speed and longest time left; while shrinking, the number of the failure.
+class SearchProgress {
+ public:
+  SearchProgress(bool quiet, std::size_t most) : progress_(quiet), most_(most) {}
+
+  void setPhase(const std::string& phase) { phase_ = phase; }
+  void showRuns(std::size_t finished) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    std::string text = phase_ + ": " + std::to_string(finished) + " runs";
+    if (finished > 0 && finished < most_ && elapsed.count() > 0.0) {
+      const double left =
+          elapsed.count() * (static_cast<double>(most_) / static_cast<double>(finished) - 1.0);
+      text += " of at most " + std::to_string(most_) + ", at most " + durationText(left) + " left";
+    }
+    progress_.show(text);
+  }
+
+ private:
+  Progress progress_;
+  const std::size_t most_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::string phase_ = "searching";
+};
+
+std::unique_ptr<RunPool> openSearchPool(const SearchOptions& options, const StudyFolder& folder,
+                                        SearchProgress& progress) {
+  RunPoolOptions pool;
+  pool.jobs = options.jobs > 0
+                  ? options.jobs
+                  : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  pool.timeLimit = options.timeLimit > 0.0 ? options.timeLimit : pool.timeLimit;
+  pool.allowCode = options.allowCode;
+  pool.loader = loadMapImage;
+  pool.journal = folder.journal();
+  pool.wantsStop = wasInterrupted;
+  pool.showProgress = [&progress](std::size_t finished, std::size_t /*requested*/) {
+    progress.showRuns(finished);
+  };
+  base::Result<std::unique_ptr<RunPool>> opened = RunPool::open(std::move(pool));
+  requireFine(opened.diagnostics());
+  return *std::move(opened);
+}
+
+/// The first run of each scenario, to find what would prevent the search.
+std::vector<RunRequest> firstSearchRequests(const Experiment& experiment,
+                                            const SearchSpace& space) {
+  std::vector<RunRequest> requests;
+  Candidate candidate{std::vector<double>(space.dimensions(), 0.5),
+                      std::vector<std::size_t>(space.optionCounts().size(), 0)};
+  for (std::size_t k = 0; k < experiment.scenarios.size(); ++k) {
+    candidate.choices[0] = k;
+    requests.push_back(space.requestOf(candidate));
+  }
+  return requests;
+}
+
+std::vector<base::FileContent> searchFiles(const SearchStudy& study, const SearchOptions& options,
+                                           const Invocation& given) {
+  std::vector<std::string> command = given.words();
+  command.front() = "hunavsim";
+  std::vector<base::FileContent> files = {
+      {"archive.json", searchJson(study)},
+      {"runs.csv", searchCsv(study)},
+      {"report.html", report::searchPage(study, options.output, command)}};
+  for (const SavedFailure& failure : study.failures) {
+    files.push_back({failure.file, failure.text});
+  }
+  if (study.worst) {
+    files.push_back({study.worst->file, study.worst->text});
+  }
+  return files;
+}
+
+void printSearch(const SearchStudy& study, const SearchOptions& options, const Invocation& given) {
+  if (given.json) {
+    print(searchJson(study));
+    return;
+  }
+  if (given.quiet) {
+    return;
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const SavedFailure& failure : study.failures) {
+    rows.push_back({failure.file, failure.kind.text(),
+                    std::to_string(failure.shrunk.people) + " of " +
+                        std::to_string(failure.shrunk.peopleBefore) + " people",
+                    "run " + std::to_string(failure.run)});
+  }
+  if (study.worst) {
+    rows.push_back(
+        {study.worst->file,
+         study.plan.worst + " " + base::formatDouble(study.result.runs[study.worst->run].value), "",
+         "run " + std::to_string(study.worst->run)});
+  }
+  printTable(rows);
+  printLine(std::to_string(study.result.runs.size()) + " runs, " +
+            std::to_string(study.failures.size()) +
+            (study.failures.size() == 1 ? " kind" : " kinds") + " of failures; " + options.output +
+            "/report.html");
+}
+
+/// Files that do not repeat their run, as errors.
+base::Diagnostics repetitionProblems(const SearchStudy& study, const std::string& folder) {
+  base::Diagnostics problems;
+  std::vector<SavedFailure> saved = study.failures;
+  if (study.worst) {
+    saved.push_back(*study.worst);
+  }
+  for (const SavedFailure& failure : saved) {
+    if (!failure.isRepeated) {
+      problems.push_back(base::error("search.not-repeated", {}, folder + "/" + failure.file));
+    }
+  }
+  return problems;
+}
+
+int searchCommand(const SearchOptions& options, const Invocation& given) {
+  const SearchPlan plan = searchPlanOf(options);
+  base::Result<Experiment> experiment = readExperiment(options.experiment);
+  requireFine(experiment.diagnostics());
+  experiment->allowCode = options.allowCode;
+  const SearchSpace space(*experiment);
+  const base::Result<std::unique_ptr<StudyFolder>> folder =
+      StudyFolder::open(options.output, {"archive.json", "runs.csv", "report.html"},
+                        existingStudy(options.resume, options.force));
+  requireFine(folder.diagnostics());
+  SearchProgress progress(given.quiet || given.json, options.runs);
+  const std::unique_ptr<RunPool> pool = openSearchPool(options, **folder, progress);
+  requireFine(pool->check(firstSearchRequests(*experiment, space)));
+  catchInterrupts();
+  SearchStudyOptions study;
+  study.plan = plan;
+  study.folder = options.output;
+  study.loader = loadMapImage;
+  study.showPhase = [&progress](const std::string& phase) { progress.setPhase(phase); };
+  const base::Result<SearchStudy> made = runSearchStudy(
+      *experiment, space, study,
+      [&pool](const std::vector<RunRequest>& requests) { return pool->run(requests); });
+  requireFine(made.diagnostics(), wasInterrupted() ? ExitRunFailed : ExitBadInput);
+  const nlohmann::ordered_json manifest = {
+      {"kind", "search"}, {"version", programVersion()}, {"commit", programCommit()}};
+  requireFine((*folder)->finish(searchFiles(*made, options, given), base::jsonText(manifest)));
+  printSearch(*made, options, given);
+  const base::Diagnostics problems = repetitionProblems(*made, options.output);
+  printDiagnostics(problems);
+  return problems.empty() ? ExitFine : ExitRunFailed;
+}
+
+void addSearchRunOptions(CLI::App& command, SearchOptions& options) {
+  command
+      .add_option("-j,--jobs", options.jobs,
+                  "Number of parallel processes (default: number of cores); does not change the "
+                  "results")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option("--time-limit", options.timeLimit,
+                  "Wall time after which a run counts as failed [s] (default: none)")
+      ->check(CLI::PositiveNumber);
+  addAllowCode(command, options.allowCode);
+  CLI::Option* const resume = command.add_flag(
+      "--resume", options.resume, "Use the runs in the journal of an earlier search in the folder");
+  command
+      .add_flag("--force", options.force,
+                "Start again after an interruption; overwrite files that hunavsim did not create")
+      ->excludes(resume);
+}
+
+}  // namespace
+
+void addSearch(CommandRegistry& commands) {
+  const auto [command, options] = commands.add(
+      "search", "Find runs in which a robot fails, and shrink each to a small scenario",
+      searchCommand);
+  command.add_option("experiment", options.experiment, "Experiment file; its values are varied")
+      ->required();
+  CLI::Option* const worst = command.add_option(
+      "--worst", options.worst, "Find the worst value of this metric (hunavsim list metrics)");
+  command
+      .add_flag("--until-failure", options.untilFailure,
+                "Find failures of the robot; stop at the first one, or when --failures are found")
+      ->excludes(worst);
+  command.add_option("--runs", options.runs, "Largest number of runs (default: 500)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
+  command
+      .add_option("--failures", options.failures,
+                  "With --until-failure: number of failures that differ in kind (default: 1)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
+  command
+      .add_option("--shrink-runs", options.shrinkRuns,
+                  "Largest number of runs to shrink one failure (default: 400)")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}));
+  command
+      .add_option("--descriptor", options.descriptors,
+                  "KEY:LOW:HIGH:CELLS: keep the best run in each cell over two metrics; give two "
+                  "(default: final_bearing_to_person in 8 sectors and final_people_near)")
+      ->expected(2)
+      ->check(descriptorProblem);
+  command.add_option("--search-seed", options.seed, "Seed of the search itself (default: 1)")
+      ->check(CLI::NonNegativeNumber);
+  command.add_flag("--all-contacts", options.allContacts,
+                   "Count contacts too that the robot could not have avoided since first sight");
+  addSearchRunOptions(command, options);
+  addOutputFolder(command, options.output, "Output folder").required();
+  commands.addExamples(
+      command, {{"hunavsim search study.yaml --until-failure -o found",
+                 "Search for a failure and shrink it to a small scenario", "your experiment"},
+                {"hunavsim search study.yaml --until-failure --failures 5 --runs 2000 -o found",
+                 "Collect five kinds of failures", "your experiment"},
+                {"hunavsim search study.yaml --worst minimum_distance_to_people -o worst",
+                 "Find the run in which the robot comes closest to a person", "your experiment"}});
+}
+
+}  // namespace app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/studies/FailureKind.h"
+#include "app/studies/RunPool.h"
+
+namespace app {
+
+/// Executes runs, as RunPool::run() does.
+using RunMany = std::function<base::Result<std::vector<ResultRow>>(const std::vector<RunRequest>&)>;
+
+/// The smallest run found that fails in the same way.
+struct ShrunkFailure {
+  RunRequest request;
+  ResultRow row;
+  std::vector<std::string> removed;  // names of people, obstacles, doors, areas and robots
+  std::vector<std::string> reset;    // paths of values that are again those of the scenario
+  std::size_t peopleBefore = 0, people = 0;
+  std::size_t runs = 0;    // tried, equal ones included
+  bool isMinimal = false;  // false: `mostRuns` was reached
+};
+
+/// Shrinks a run that fails with this kind by delta debugging (DeltaDebugging.h). What can go is:
+/// people, obstacles, doors, areas and all robots but the first; the changes of values (`--set`)
+/// except planners and their programs, which the failure belongs to; the variation of people. Then
+/// the duration is cut at the end of the run, unless the failure is its time limit. Each of these
+/// is accepted only if the kind of the failure stays the same. `mostRuns`: limit for the runs.
+base::Result<ShrunkFailure> shrunkFailure(const RunRequest& failing, const ResultRow& row,
+                                          const FailureKind& kind, std::size_t mostRuns,
+                                          const RunMany& run);
+
+}  // namespace app
