@@ -4154,6 +4154,10 @@
         <translation>Comparar planificadores</translation>
     </message>
     <message>
+        <source>Sensitivity analysis</source>
+        <translation>Análisis de sensibilidad</translation>
+    </message>
+    <message>
         <source>Nav2</source>
         <translation>Nav2</translation>
     </message>

@@ -4154,6 +4154,10 @@
         <translation>比较规划器</translation>
     </message>
     <message>
+        <source>Sensitivity analysis</source>
+        <translation>敏感性分析</translation>
+    </message>
+    <message>
         <source>Nav2</source>
         <translation>Nav2</translation>
     </message>

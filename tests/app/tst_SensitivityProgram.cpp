@@ -243,6 +243,13 @@ class SensitivityProgramTest : public QObject {
     QCOMPARE(readJson(out + text("/sensitivity.json")).value(text("results")).toArray().size(), 1);
   }
 
+  void shippedStudy_isValid() {
+    const QString study = text(SOURCE_DIR "/maps/library/people_sensitivity.yaml");
+    const Finished done = runProgram({text("check"), study});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    QVERIFY2(done.err.isEmpty(), qPrintable(done.err));
+  }
+
   void wrongInput_isReported() {
     const QString out = folder_.path(text("wrong"));
     folder_.writeStudy("lists.yaml", "values:\n  robot1.max_vel: [0.4, 1.2]\n");
