@@ -33,7 +33,7 @@ FailureEnd endOf(const ResultRow& row) {
   constexpr const char* kContacts[] = {"robot_on_person_collision", "person_on_robot_collision",
                                        "obstacle_collisions"};
   for (const char* key : kContacts) {  // a contact that did not end the run
-    if (numberOf(row, key) > 0.0) {
+    if (fieldNumber(row, key) > 0.0) {
       return FailureEnd::Contact;
     }
   }
@@ -88,15 +88,8 @@ std::string FailureKind::text() const {
          (isMoving ? "moving" : "standing") + " person " + kSides[static_cast<int>(side)];
 }
 
-double numberOf(const ResultRow& row, const std::string& column) {
-  const std::string* const field = fieldOf(row, column);
-  if (field == nullptr || field->empty()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  if (*field == "True" || *field == "False") {
-    return *field == "True" ? 1.0 : 0.0;
-  }
-  return base::parseDouble(*field).value_or(std::numeric_limits<double>::quiet_NaN());
+double fieldNumber(const ResultRow& row, const std::string& column) {
+  return numberOf(row, column).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 bool wasSimulated(const ResultRow& row) {
@@ -114,10 +107,10 @@ std::optional<FailureKind> failureKindOf(const ResultRow& row) {
     return kind;
   }
   const std::string prefix = prefixOf(row);
-  const double distance = numberOf(row, prefix + "final_distance_to_person");
+  const double distance = fieldNumber(row, prefix + "final_distance_to_person");
   if (distance < metrics::MetricParameters().socialDistance) {
-    kind.side = sideOf(numberOf(row, prefix + "final_bearing_to_person"));
-    kind.isMoving = numberOf(row, prefix + "final_person_speed") > kMovingSpeed;
+    kind.side = sideOf(fieldNumber(row, prefix + "final_bearing_to_person"));
+    kind.isMoving = fieldNumber(row, prefix + "final_person_speed") > kMovingSpeed;
   }
   return kind;
 }

@@ -43,6 +43,6 @@ bool wasSimulated(const ResultRow& row);
 std::optional<FailureKind> failureKindOf(const ResultRow& row);
 
 /// The number in a column of a row; NaN: there is none. True and False are 1 and 0.
-double numberOf(const ResultRow& row, const std::string& column);
+double fieldNumber(const ResultRow& row, const std::string& column);
 
 }  // namespace app

@@ -23,7 +23,7 @@ struct Part {
   std::string text;  // name of the entity; the value as PATH=VALUE
 };
 
-std::string pathOf(const std::string& setting) {
+std::string settingPath(const std::string& setting) {
   return setting.substr(0, setting.find('='));
 }
 
@@ -47,7 +47,7 @@ class RunParts {
     addEntities("areas", scenario.areas);
     addEntities("robots", scenario.robots, 1);
     for (const std::string& setting : request.spec.set) {
-      if (!choosesPlanner(pathOf(setting))) {
+      if (!choosesPlanner(settingPath(setting))) {
         parts_.push_back({Part::Kind::Value, {}, setting});
       }
     }
@@ -187,7 +187,7 @@ void describeRemoved(ShrunkFailure& failure, const std::vector<Part>& parts,
     if (!isKept && parts[k].kind == Part::Kind::Entity) {
       failure.removed.push_back(parts[k].text);
     } else if (!isKept) {
-      failure.reset.push_back(pathOf(parts[k].text));
+      failure.reset.push_back(settingPath(parts[k].text));
     }
   }
 }

@@ -89,12 +89,12 @@ class Searcher {
     run.wasSimulated = wasSimulated(row);
     run.reason = row.reason;
     run.simulated = row.simulated;
-    run.value =
-        plan_.worst.empty() ? std::numeric_limits<double>::quiet_NaN() : numberOf(row, plan_.worst);
+    run.value = plan_.worst.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                    : fieldNumber(row, plan_.worst);
     run.fitness = fitnessOf(row, plan_);
     run.kind = failureKindOf(row);
     for (std::size_t k = 0; k < run.descriptors.size(); ++k) {
-      run.descriptors[k] = numberOf(row, plan_.descriptors[k].key);
+      run.descriptors[k] = fieldNumber(row, plan_.descriptors[k].key);
     }
     if (!run.wasSimulated && ++result_.notSimulated == 1) {
       result_.firstProblem = row.reason;
@@ -197,15 +197,15 @@ double fitnessOf(const ResultRow& row, const SearchPlan& plan) {
     return kUndefinedFitness;
   }
   if (!plan.worst.empty()) {
-    const double value = numberOf(row, plan.worst) * worseDirection(plan.worst);
+    const double value = fieldNumber(row, plan.worst) * worseDirection(plan.worst);
     return std::isnan(value) ? kUndefinedFitness : value;
   }
   if (failureKindOf(row)) {
     const double end = base::parseDouble(row.simulated).value_or(0.0);
     return 1.0 + 1.0 / (1.0 + end / kEarly);
   }
-  const double gap = numberOf(row, "minimum_distance_to_people");
-  const double standing = numberOf(row, "time_not_moving") / numberOf(row, "total_time");
+  const double gap = fieldNumber(row, "minimum_distance_to_people");
+  const double standing = fieldNumber(row, "time_not_moving") / fieldNumber(row, "total_time");
   const double near = std::isfinite(gap) ? 1.0 / (1.0 + std::max(gap, 0.0)) : 0.0;
   return std::max(near, std::isfinite(standing) ? std::min(standing, 1.0) : 0.0);
 }
