@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "editor/look/AppStyle.h"
+#include "editor/look/DeferredActions.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -16,6 +17,7 @@ constexpr int kExact = 20;       // The number of decimals that a value keeps.
 constexpr int kMaxDecimals = 6;  // The maximum number of decimals shown.
 constexpr double kLong = 1e15;   // Larger numbers are shown with an exponent.
 constexpr int kWidest = 130;     // Maximum width [px].
+constexpr int kTipOffset = 14;   // Qt places a tooltip below the pointer [px].
 
 double roundedTo(double value, int decimals) {
   return QString::number(value, 'f', decimals).toDouble();
@@ -358,11 +360,21 @@ void TextField::commit() {
   }
   judge();
   if (property(kInvalidProperty).toBool()) {
+    const QString wrong = toolTip();
     show(shown_);
+    later(*this, [this, wrong] { explainRefusal(wrong); });  // The focus moves first.
     return;
   }
   shown_ = text();
   Q_EMIT edited(shown_);
+}
+
+/// Says why a text was discarded, below the field.
+void TextField::explainRefusal(const QString& wrong) {
+  if (isVisible()) {
+    QToolTip::showText(mapToGlobal(QPoint(0, height() - kTipOffset)), tr("Not used: %1").arg(wrong),
+                       this);
+  }
 }
 
 namespace {

@@ -119,6 +119,7 @@ class TextField : public QLineEdit {
  private:
   void judge();
   void commit();
+  void explainRefusal(const QString& wrong);
   Check check_;
   QString hint_, shown_;
 };

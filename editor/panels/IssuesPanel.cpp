@@ -220,6 +220,11 @@ void IssuesPanel::setActionIssues(const base::Diagnostics& issues) {
 
 void IssuesPanel::rebuild() {
   base::Diagnostics all = document_.issues();
+  if (document_.path().isEmpty()) {  // A new scenario begins without people: that is no problem.
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [](const auto& each) { return each.code == "scenario.nobody"; }),
+              all.end());
+  }
   base::append(all, adviceFor(document_.scenario()));
   base::Diagnostics known = action_;
   base::append(known, all);

@@ -320,6 +320,31 @@ class FieldFormsTest : public QObject {
   }
 
   /// Whatever the width and the font; the number itself keeps all digits.
+  /// A text that cannot be used is not discarded in silence.
+  void text_refused_isExplained() {
+    editor::TextField field;
+    field.setCheck([](const QString& text) {
+      return text == QStringLiteral("good") ? QString() : QStringLiteral("Only good is good");
+    });
+    field.show(QStringLiteral("old"));
+    QWidget* const window = &field;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(&field));
+    QToolTip::hideText();
+    QSignalSpy edited(&field, &editor::TextField::edited);
+    field.selectAll();
+    QTest::keyClicks(&field, QStringLiteral("bad"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    QCOMPARE(field.text(), QStringLiteral("old"));
+    QTRY_COMPARE(QToolTip::text(), QStringLiteral("Not used: Only good is good"));
+    QCOMPARE(edited.count(), 0);
+    QToolTip::hideText();
+    field.selectAll();
+    QTest::keyClicks(&field, QStringLiteral("good"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    QCOMPARE(edited.count(), 1);
+  }
+
   void digits_inANarrowField_areNotCut() {
     NumberField field({-1e6, 1e6, 2, 0.1}, QStringLiteral("m/s²"));
     field.QWidget::show();

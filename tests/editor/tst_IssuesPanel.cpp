@@ -153,6 +153,25 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(rows.rowCount(), 1);
   }
 
+  /// A new scenario is not greeted with a warning; a file without people has one.
+  void newScenario_withoutPeople_isNoProblem() {
+    open(600);
+    document_->checkNow();
+    QTest::qWait(50);
+    QCOMPARE(panel_->count(), 0);
+    const auto isShown = [this](const QString& words) {
+      const QList<QLabel*> labels = panel_->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&words](const QLabel* label) {
+        return label->isVisible() && label->text().startsWith(words);
+      });
+    };
+    QTRY_VERIFY(isShown(QStringLiteral("No issues. Press P")));
+    const QTemporaryDir folder;
+    QVERIFY(!base::hasErrors(document_->save(folder.filePath(QStringLiteral("empty.yaml")))));
+    document_->checkNow();
+    QTRY_COMPARE(panel_->count(), 1);
+  }
+
   void live_unknownGoal_isToldAndSelectsThePerson() {
     openUnknownGoal(600);
     QSignalSpy wanted(panel_.get(), &IssuesPanel::entityRequested);

@@ -106,7 +106,7 @@ void PersonPage::addGoalSection() {
   addField<Human>(section, "cyclic_goals", withLabels({tr("Repeat after the last")}));
   addField<Human>(section, "goal_radius");
   addField<PersonExtension>(
-      section, "wait", withPlaceholder(tr("seconds at each goal"), [this](const QString& text) {
+      section, "wait", withPlaceholder(tr("one per goal: 2, 0"), [this](const QString& text) {
         const auto times = listFromText(text);
         const std::vector<Entity> shown = values();
         const bool fits =
