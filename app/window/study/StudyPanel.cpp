@@ -283,6 +283,15 @@ bool StudyPanel::openFile(const QString& path) {
 
 /// Shows the existing results in the folder.
 void StudyPanel::showRestored() {
+  if (file_.isEmpty()) {  // a new study
+    displayedExperiment_.reset();
+    folderProblem_.clear();
+    total_ = 0;
+    before_ = 0;
+    results_->begin({}, {});
+    Q_EMIT context_.counted(this, 0);
+    return;
+  }
   const RestoredStudy earlier = restoredStudyIn(resultsFolder());
   const base::Result<Experiment> of =
       earlier.experiment ? parseExperiment(*earlier.experiment, file_.toStdString())
