@@ -185,15 +185,25 @@ struct CommandPlace {
 
 /// In the order of the help.
 constexpr CommandPlace kCommands[] = {
-    {"run", "Run and measure"},    {"evaluate", "Run and measure"},
-    {"render", "Run and measure"}, {"futures", "Run and measure"},
-    {"batch", "Studies"},          {"merge", "Studies"},
-    {"report", "Studies"},         {"sensitivity", "Studies"},
-    {"gate", "Studies"},           {"pack", "Studies"},
-    {"verify", "Studies"},         {"check", "Scenarios"},
-    {"convert", "Scenarios"},      {"trees", "Scenarios"},
-    {"list", "Scenarios"},         {"validate", "Program"},
-    {"bench", "Program"},          {"serve", "Live view and ROS 2"},
+    {"run", "Run and measure"},
+    {"evaluate", "Run and measure"},
+    {"render", "Run and measure"},
+    {"futures", "Run and measure"},
+    {"batch", "Studies"},
+    {"merge", "Studies"},
+    {"report", "Studies"},
+    {"sensitivity", "Studies"},
+    {"gate", "Studies"},
+    {"search", "Studies"},
+    {"pack", "Studies"},
+    {"verify", "Studies"},
+    {"check", "Scenarios"},
+    {"convert", "Scenarios"},
+    {"trees", "Scenarios"},
+    {"list", "Scenarios"},
+    {"validate", "Program"},
+    {"bench", "Program"},
+    {"serve", "Live view and ROS 2"},
 };
 
 }  // namespace
