@@ -13,13 +13,35 @@ namespace app {
 
 namespace {
 
-std::string batchProgressText(std::size_t finished, std::size_t total, double rate) {
-  std::string text = std::to_string(finished) + " / " + std::to_string(total) + " runs";
+/// `atMost`: a stopping rule may end the batch earlier.
+std::string batchProgressText(std::size_t finished, std::size_t total, double rate, bool atMost) {
+  const char* const most = atMost ? "at most " : "";
+  std::string text = std::to_string(finished) + " / " + most + std::to_string(total) + " runs";
   if (rate > 0.0) {
-    text += ", " + base::formatDecimals(std::round(rate * 10.0) / 10.0, 1) + " runs/s, " +
+    text += ", " + base::formatDecimals(std::round(rate * 10.0) / 10.0, 1) + " runs/s, " + most +
             durationText(static_cast<double>(total - finished) / rate) + " left";
   }
   return text;
+}
+
+/// Executes the missing runs; with a stopping rule, those of more and more seeds until it is met.
+base::Diagnostics executeUntilEnough(const Experiment& experiment, BatchFolder& folder,
+                                     BatchJob& job, std::optional<StoppingCheck>& stopping) {
+  const std::size_t seeds = experiment.seeds.size();
+  for (const std::size_t look : stopping ? stopping->looks() : std::vector<std::size_t>{seeds}) {
+    job.runs = folder.missing();
+    job.runs.erase(std::remove_if(job.runs.begin(), job.runs.end(),
+                                  [&](std::size_t run) { return run % seeds >= look; }),
+                   job.runs.end());
+    base::Diagnostics problems = runBatch(job);
+    if (!problems.empty() || job.wantsStop()) {
+      return problems;
+    }
+    if (stopping && stopping->isEnough(look)) {
+      return folder.setEnoughSeeds(look);
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -33,6 +55,15 @@ base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& ru
   const auto start = std::chrono::steady_clock::now();
   Progress progress(options.quiet);
   const auto printRow = [&](const StoredRun& run) { print(rowJson(store.study(), run) + "\n"); };
+  std::optional<StoppingCheck> stopping;
+  if (experiment.until) {
+    stopping.emplace(experiment);
+    base::Diagnostics unreadable =
+        store.forEach([&](const StoredRun& run) { stopping->add(run.run, run.row); });
+    if (!unreadable.empty()) {
+      return unreadable;
+    }
+  }
   if (options.rows) {
     print(headerJson(store) + "\n");
     base::Diagnostics unreadable = store.forEach(printRow);
@@ -43,11 +74,11 @@ base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& ru
   const auto show = [&] {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     const auto made = static_cast<double>(store.finished() - before);
-    progress.show(batchProgressText(store.finished(), total, made / elapsed.count()));
+    progress.show(
+        batchProgressText(store.finished(), total, made / elapsed.count(), stopping.has_value()));
   };
   show();
   BatchJob job;
-  job.runs = folder.missing();
   job.jobs = options.jobs > 0 ? options.jobs : cores;
   const double limit = store.study().timeLimit;
   job.timeLimit = limit > 0.0 ? limit : job.timeLimit;
@@ -59,6 +90,9 @@ base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& ru
     const StoredRun stored{run, experiment.scenarios[values.scenario], values.seed, values.values,
                            row};
     base::Diagnostics problems = folder.add(stored);
+    if (stopping) {
+      stopping->add(run, row);
+    }
     if (options.rows && problems.empty()) {
       printRow(stored);
     }
@@ -66,7 +100,7 @@ base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& ru
     return problems;
   };
   job.wantsStop = wasInterrupted;
-  return runBatch(job);
+  return executeUntilEnough(experiment, folder, job, stopping);
 }
 
 }  // namespace app

@@ -12,7 +12,8 @@ struct BatchRunOptions {
 };
 
 /// Executes the missing runs of the folder in worker processes, with progress on standard error;
-/// Ctrl-C ends them. Returns errors that ended them early.
+/// Ctrl-C ends them. With a stopping rule (Experiment::until), the batch is complete as soon as it
+/// is met. Returns errors that ended them early.
 base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& runner,
                               BatchFolder& folder, const BatchRunOptions& options);
 

@@ -141,6 +141,12 @@ class PageBuilder {
       notes_ +=
           paragraph("The batch was interrupted; this report contains only the finished runs.");
     }
+    if (!study_.until.empty()) {
+      notes_ += paragraph("The batch ended after " + std::to_string(study_.enoughSeeds) +
+                          " seeds: " + study_.until +
+                          ". The intervals and p values of this page do not take into account "
+                          "that the number of seeds depended on the results.");
+    }
     writeSeedWarning();
     std::string findings;
     for (const MetricComparison& comparison :

@@ -275,6 +275,10 @@ base::Diagnostics readManifest(const fs::path& path, Study& study) {
   if (limit != manifest.end() && limit->is_number()) {
     study.timeLimit = limit->get<double>();
   }
+  if (const auto until = manifest.find("until"); until != manifest.end() && until->is_object()) {
+    study.enoughSeeds = until->value("seeds", 0LL);
+    study.until = study.enoughSeeds > 0 ? textIn(*until, "condition") : std::string();
+  }
   readDrawn(manifest, study);
   const auto design = manifest.find("design");
   Study::Sensitivity sensitivity;

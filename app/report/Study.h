@@ -88,6 +88,8 @@ struct Study {
   std::vector<std::string> runOptions;  // `run` options set by the experiment
   bool hasRunOptions = false;           // the experiment file is unchanged
   bool isExperimentUnreadable = false;  // the experiment file exists but cannot be read
+  std::string until;                    // condition of the stopping rule; empty: none, or not met
+  long long enoughSeeds = 0;            // number of seeds after which it was met
   std::string status;                   // "finished", "interrupted"; empty: unknown
 
   /// The design of a sensitivity analysis: values with a range, at points that are a dimension of

@@ -195,6 +195,7 @@ base::Result<Study> studyOf(const Experiment& experiment, const std::vector<Inpu
   study.runs = experiment.runCount();
   study.shard = shard;
   study.allowsCode = experiment.allowCode;
+  study.until = experiment.until ? experiment.until->text() : std::string();
   return base::resultOf(std::move(study), std::move(unread));
 }
 

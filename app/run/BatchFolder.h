@@ -38,6 +38,7 @@ class BatchFolder {
   std::vector<std::size_t> missing() const;  // runs, by index
 
   base::Diagnostics add(const StoredRun& run) { return store_->add(run); }
+  base::Diagnostics setEnoughSeeds(std::size_t seeds) { return store_->setEnoughSeeds(seeds); }
   /// Writes results.csv and manifest.json of the stored runs and removes incomplete run folders.
   /// Call once, at the end.
   base::Diagnostics finish();

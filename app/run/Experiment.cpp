@@ -73,6 +73,11 @@ class Reader {
     }
     const bool isPossible = readValues(root);
     readRecord(root.find("record"));
+    if (const YamlNode* const until = root.find("until")) {
+      const base::Result<StoppingRule> rule = readStoppingRule(*until, experiment_);
+      tell(rule.diagnostics());
+      experiment_.until = rule ? std::optional(*rule) : std::nullopt;
+    }
     if (isPossible) {
       tell(checkValues(experiment_, std::move(readable_), root, !base::hasErrors(errors_)));
     }
@@ -80,7 +85,7 @@ class Reader {
 
   void checkKeys(const YamlNode& root) {
     std::vector<std::string> known = {
-        "hunavsim_experiment", "scenarios", "seeds", "values", "design", "record"};
+        "hunavsim_experiment", "scenarios", "seeds", "values", "design", "record", "until"};
     for (const RunOption& option : kRunOptions) {
       if ((option.use & RunOption::InExperiment) != 0) {
         known.push_back(option.key());

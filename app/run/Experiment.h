@@ -8,6 +8,7 @@
 #include "app/run/Design.h"
 #include "app/run/ExperimentValues.h"
 #include "app/run/RunSpec.h"
+#include "app/run/StoppingRule.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace app {
@@ -27,7 +28,8 @@ struct Experiment {
                                  // also of `uniform`, which then has the form `between`
   std::vector<ExperimentValue> values;
   Record record = Record::Metrics;
-  bool allowCode = false;  // given by the user who starts the batch, never in the file
+  std::optional<StoppingRule> until;  // fewer seeds may be enough
+  bool allowCode = false;             // given by the user who starts the batch, never in the file
 
   /// Run `index`: scenarios outermost, then dimensions among the values in their order, seeds
   /// innermost. All coordinates of the design are one dimension, at the place of the first one.

@@ -85,7 +85,7 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
   for (const InputHash& input : files) {
     inputs.push_back({{"path", input.path}, {"sha256", input.sha256}});
   }
-  const bool isComplete = finished == study.shard.runCount(study.runs);
+  const bool isComplete = finished == study.shard.runCount(study.runs) || study.enoughSeeds > 0;
   Json json = {{"program", {{"version", study.version}, {"commit", study.commit}}},
                {"inputs", inputs},
                {"code", {{"allowed", study.allowsCode}}},
@@ -95,6 +95,12 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
                {"failed", failed}};
   if (!study.design.empty()) {
     json["design"] = Json::parse(study.design, nullptr, false);
+  }
+  if (!study.until.empty()) {
+    json["until"] = {{"condition", study.until}, {"met", study.enoughSeeds > 0}};
+    if (study.enoughSeeds > 0) {
+      json["until"]["seeds"] = study.enoughSeeds;
+    }
   }
   if (study.timeLimit > 0.0) {
     json["time_limit"] = study.timeLimit;

@@ -122,6 +122,18 @@ std::optional<ColumnInfo> columnInfo(const std::string& column) {
   return std::nullopt;
 }
 
+std::vector<std::string> knownColumns() {
+  std::vector<std::string> keys;
+  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
+    keys.push_back(entry.info.key);
+  }
+  for (const EndColumn& column : endColumns()) {
+    keys.emplace_back(column.key);
+  }
+  keys.emplace_back(kDistanceLeft);
+  return keys;
+}
+
 const std::string* fieldOf(const ResultRow& row, const std::string& column) {
   const auto* const field =
       base::findBy(row.fields, &std::pair<std::string, std::string>::first, column);

@@ -56,6 +56,8 @@ struct ColumnInfo {
 /// Of a metric of the program or another column above, also of another robot ("robot2.success");
 /// nullopt for other names, such as metrics of a user's file.
 std::optional<ColumnInfo> columnInfo(const std::string& column);
+/// The columns of the first robot that columnInfo() knows.
+std::vector<std::string> knownColumns();
 
 /// The field of a column; null: the row has none.
 const std::string* fieldOf(const ResultRow& row, const std::string& column);

@@ -176,6 +176,7 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
       {"shard", std::to_string(study.shard.number)},
       {"shards", std::to_string(study.shard.count)},
       {"code", study.allowsCode ? "allowed" : ""},
+      {"until", study.until},
       {"time_limit", base::formatDouble(study.timeLimit)}};
   for (const auto& [key, value] : entries) {
     const std::string name = key;
@@ -273,6 +274,8 @@ base::Diagnostics ResultStore::readStudy() {
   study_.runs = countOf(entries["runs"]);
   study_.allowsCode = entries["code"] == "allowed";
   study_.timeLimit = base::parseDouble(entries["time_limit"]).value_or(0.0);
+  study_.until = entries["until"];
+  study_.enoughSeeds = countOf(entries["enough_seeds"]);
   study_.shard = {countOf(entries["shard"]), countOf(entries["shards"])};
   const bool isWhole = study_.runs > 0 && study_.shard.number >= 1 &&
                        study_.shard.number <= study_.shard.count && !study_.inputs.empty();
@@ -334,13 +337,25 @@ base::Diagnostics ResultStore::removeFailed(bool all) {
   const std::string which = all ? "" : " AND run IN (SELECT run FROM machine_failures)";
   const std::string change = "BEGIN IMMEDIATE;" + std::string(kMachineTable) +
                              "DELETE FROM runs WHERE status<>'ok'" + which +
-                             ";DELETE FROM machine_failures;COMMIT";
+                             ";DELETE FROM machine_failures;"
+                             "DELETE FROM experiment WHERE key='enough_seeds';COMMIT";
   if (!run(change.c_str())) {
     base::Diagnostics problems = sqliteError("batch.cannot-store");
     run("ROLLBACK");  // no effect outside a transaction
     return problems;
   }
+  study_.enoughSeeds = 0;
   return readRuns();
+}
+
+base::Diagnostics ResultStore::setEnoughSeeds(std::size_t seeds) {
+  const std::string change =
+      "INSERT OR REPLACE INTO experiment VALUES('enough_seeds','" + std::to_string(seeds) + "')";
+  if (!run(change.c_str())) {
+    return sqliteError("batch.cannot-store");
+  }
+  study_.enoughSeeds = seeds;
+  return {};
 }
 
 base::Diagnostics ResultStore::setTimeLimit(double seconds) {

@@ -40,8 +40,10 @@ struct Study {
   std::string design;
   std::size_t runs = 0;  // of the experiment, over all shards
   Shard shard;
-  bool allowsCode = false;  // external programs of scenarios may start
-  double timeLimit = 0.0;   // of one run [s], wall-clock time; 0 = none
+  bool allowsCode = false;      // external programs of scenarios may start
+  double timeLimit = 0.0;       // of one run [s], wall-clock time; 0 = none
+  std::string until;            // the condition of the stopping rule, as text; empty: none
+  std::size_t enoughSeeds = 0;  // number after which it was met; 0: not yet
 };
 
 /// The result of a run with its position in the experiment.
@@ -81,7 +83,9 @@ class ResultStore {
     std::string reason;
   };
   const std::optional<Failure>& firstFailure() const { return firstFailure_; }  // by index
-  bool isComplete() const { return finished_ == study_.shard.runCount(study_.runs); }
+  bool isComplete() const {
+    return finished_ == study_.shard.runCount(study_.runs) || study_.enoughSeeds > 0;
+  }
   bool has(std::size_t run) const { return has_[run]; }
 
   /// Adds the run and its inputs. Error: an input differs from the one of the study; the run is not
@@ -92,6 +96,8 @@ class ResultStore {
   base::Diagnostics removeFailed(bool all);
   /// Applies to the missing runs.
   base::Diagnostics setTimeLimit(double seconds);
+  /// The batch is complete with its first `seeds` seeds.
+  base::Diagnostics setEnoughSeeds(std::size_t seeds);
   /// Visits all stored runs by index.
   base::Diagnostics forEach(const std::function<void(const StoredRun&)>& visit) const;
   /// Merges the write-ahead log into one file that other programs can read.

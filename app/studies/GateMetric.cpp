@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -11,19 +10,6 @@ namespace app {
 namespace {
 
 constexpr const char* kOption = "--metric";
-
-/// Names of columns for "did you mean".
-std::vector<std::string> knownColumns() {
-  std::vector<std::string> keys;
-  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
-    keys.push_back(entry.info.key);
-  }
-  for (const EndColumn& column : endColumns()) {
-    keys.emplace_back(column.key);
-  }
-  keys.emplace_back(kDistanceLeft);
-  return keys;
-}
 
 /// Sets scale and margin; false: no margin, or out of range.
 bool readMargin(std::string text, bool isRate, GateMetric& metric) {

@@ -67,6 +67,9 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   base::Result<Experiment> experiment = readExperiment(options.experiment);
   requireFine(experiment.diagnostics());
   experiment->allowCode = options.allowCode;
+  if (experiment->until && (!options.shard.empty() || !options.script.empty())) {
+    requireFine({base::error("batch.until-shards", {}, experiment->path)});
+  }
   ExperimentRunner runner(*experiment, (fs::path(options.output) / "runs").string(), loadMapImage);
   requireFine(runner.check());
   if (!options.script.empty()) {
@@ -87,6 +90,12 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   base::Diagnostics problems =
       executeRuns(*experiment, runner, **folder, {options.jobs, options.rows, given.quiet});
   base::append(problems, (*folder)->finish());
+  const ResultStore& store = (*folder)->store();
+  if (problems.empty() && experiment->until && store.isComplete() &&
+      store.study().enoughSeeds == 0) {
+    problems.push_back(base::warning("batch.until-open", {}, experiment->path));
+    printDiagnostics(problems);
+  }
   Invocation shown = given;
   shown.quiet = given.quiet || options.rows;
   shown.json = given.json && !options.rows;

@@ -45,8 +45,10 @@ int reportBatch(const BatchFolder& folder, const base::Diagnostics& problems,
                 const Invocation& given) {
   const ResultStore& store = folder.store();
   const std::size_t total = store.study().shard.runCount(store.study().runs);
+  const std::size_t enough = store.study().enoughSeeds;
   const std::string count =
-      std::to_string(store.finished()) + " of " + std::to_string(total) + " runs";
+      enough > 0 ? std::to_string(store.finished()) + " runs"
+                 : std::to_string(store.finished()) + " of " + std::to_string(total) + " runs";
   if (base::hasErrors(problems)) {
     printError("after " + count + ": continue with batch --resume");
     requireFine(problems);
@@ -56,6 +58,9 @@ int reportBatch(const BatchFolder& folder, const base::Diagnostics& problems,
   } else if (!given.quiet) {
     printLine(count + " finished, " + std::to_string(store.failed()) +
               " failed: " + folder.resultsFile());
+    if (enough > 0) {
+      printLine(std::to_string(enough) + " seeds were enough: " + store.study().until);
+    }
   }
   printDiagnostics(failuresOf(folder));
   if (!store.isComplete()) {
