@@ -19,7 +19,7 @@ namespace {
 
 using app::GateMetricResult;
 using app::GateVerdict;
-using Json = nlohmann::ordered_json;
+using GateJson = nlohmann::ordered_json;
 
 /// Titles of the metrics with this verdict.
 std::vector<std::string> titlesWith(const app::GateResult& result, GateVerdict verdict) {
@@ -207,11 +207,11 @@ std::string junitOf(const app::GateOptions& options, const app::GateResult& resu
          "\n";
 }
 
-Json numberJson(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
+GateJson numberJson(double value) {
+  return std::isfinite(value) ? GateJson(value) : GateJson();
 }
 
-Json metricJson(const GateMetricResult& each) {
+GateJson metricJson(const GateMetricResult& each) {
   const GateDifference difference = gateDifference(each);
   const bool isRate = each.metric.scale == app::GateMetric::Scale::Rate;
   return {{"metric", each.metric.label()},
@@ -232,14 +232,14 @@ Json metricJson(const GateMetricResult& each) {
 std::string jsonOf(const app::GateOptions& options, const app::GateResult& result,
                    const std::vector<GateFinding>& findings,
                    const std::vector<app::InputHash>& inputs) {
-  Json json = {{"verdict", app::gateVerdictName(result.verdict)},
-               {"base", options.base.text},
-               {"candidate", options.candidate.text},
-               {"level", options.level},
-               {"pairs", result.pairs.size()},
-               {"runs", 2 * result.pairs.size()}};
+  GateJson json = {{"verdict", app::gateVerdictName(result.verdict)},
+                   {"base", options.base.text},
+                   {"candidate", options.candidate.text},
+                   {"level", options.level},
+                   {"pairs", result.pairs.size()},
+                   {"runs", 2 * result.pairs.size()}};
   for (const char* key : {"scenarios", "metrics", "remarks", "findings", "inputs"}) {
-    json[key] = Json::array();
+    json[key] = GateJson::array();
   }
   for (const app::GateScenario& scenario : options.scenarios) {
     json["scenarios"].push_back(scenario.name);

@@ -13,7 +13,7 @@ namespace {
 
 using ReportJson = nlohmann::ordered_json;
 
-ReportJson numberJson(double value) {
+ReportJson indexJson(double value) {
   return std::isfinite(value) ? ReportJson(value) : ReportJson();
 }
 
@@ -55,9 +55,9 @@ ReportJson factorsJson(const Study& study, const SensitivityResult& result) {
     ReportJson factor = {{"path", study.sensitivity->factors[order[place]].path},
                          {"rank", place + 1}};
     for (const auto& [name, value] : numbersOf(result, order[place])) {
-      factor[name] = numberJson(value);
+      factor[name] = indexJson(value);
     }
-    factor["order_share"] = numberJson(orderShareAt(result, place));
+    factor["order_share"] = indexJson(orderShareAt(result, place));
     factors.push_back(std::move(factor));
   }
   return factors;
@@ -79,9 +79,9 @@ ReportJson resultJson(const Study& study, const SensitivityAnalysis& analysis,
           {"case", analysis.cases[result.caseNumber]},
           {"varies", result.varies},
           {"undefined_points", result.undefined},
-          {"seed_share", numberJson(result.seedShare)},
+          {"seed_share", indexJson(result.seedShare)},
           {"too_few_points",
-           {{"wide", wide}, {"unordered", unordered}, {"required", numberJson(few.required)}}},
+           {{"wide", wide}, {"unordered", unordered}, {"required", indexJson(few.required)}}},
           {"factors", factorsJson(study, result)}};
 }
 
