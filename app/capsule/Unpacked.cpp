@@ -142,7 +142,7 @@ base::Diagnostics atMembers(base::Diagnostics problems, const std::string& root,
   return problems;
 }
 
-base::Result<std::string> unpackStudy(const std::string& file, const std::string& folder) {
+base::Result<UnpackedStudy> unpackStudy(const std::string& file, const std::string& folder) {
   const base::Result<std::unique_ptr<ArchiveReader>> archive = ArchiveReader::open(file);
   if (!archive) {
     return archive.diagnostics();
@@ -156,7 +156,9 @@ base::Result<std::string> unpackStudy(const std::string& file, const std::string
     std::error_code ignored;
     problems = relocateRun(*manifest, fs::weakly_canonical(folder, ignored).string());
   }
-  return base::resultOf(app::pathIn(folder, "study"), std::move(problems));
+  UnpackedStudy study{manifest->isBatch, app::pathIn(folder, "study"),
+                      manifest->isBatch ? pathOfInput(manifest->inputs.front(), folder) : ""};
+  return base::resultOf(std::move(study), std::move(problems));
 }
 
 }  // namespace capsule

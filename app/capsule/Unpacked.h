@@ -48,8 +48,14 @@ base::Diagnostics foreignInputs(const std::vector<app::InputHash>& used,
 base::Diagnostics atMembers(base::Diagnostics problems, const std::string& root,
                             const std::string& file);
 
+/// A study that was unpacked to be displayed.
+struct UnpackedStudy {
+  bool isBatch = true;     // otherwise a single run
+  std::string folder;      // of the batch or the run
+  std::string experiment;  // path of the experiment file of a batch
+};
 /// Unpacks a capsule into a folder, which must be empty or missing, so that its study can be
-/// opened; returns the folder of the study. No checksums are compared.
-base::Result<std::string> unpackStudy(const std::string& file, const std::string& folder);
+/// displayed. Checksums are not compared. Errors: not a capsule, damaged, not writable.
+base::Result<UnpackedStudy> unpackStudy(const std::string& file, const std::string& folder);
 
 }  // namespace capsule

@@ -199,6 +199,10 @@ void MainWindow::connectFiles() {
             }
           });
   connect(&study, &StudyPanel::saveRequested, files, &FileCommands::save);
+  connect(files, &FileCommands::studyOpened, this, [this](const QString& experiment) {
+    showDock(QStringLiteral("study"));
+    docks_->panel<StudyPanel>().openFile(experiment);
+  });
   editor::ScenarioDocument& document = workspace_.document();
   connect(&document, &editor::ScenarioDocument::aboutToBeReplaced, this,
           [this] { editor::commitPendingEdit(*this); });

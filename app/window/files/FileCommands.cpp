@@ -81,6 +81,9 @@ FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   if (file.isDir() || file.fileName() == QLatin1String("trace.json")) {
     return Kind::Run;
   }
+  if (file.suffix().toLower() == QLatin1String("hnv")) {
+    return Kind::Capsule;
+  }
   if (isMapImage(path)) {
     return Kind::Image;
   }
@@ -111,6 +114,8 @@ bool FileCommands::openFile(const QString& path) {
       return openRun(QFileInfo(path).isDir() ? path : QFileInfo(path).absolutePath());
     case Kind::Tracks:
       return openTracks(path);
+    case Kind::Capsule:
+      return openCapsule(path);
     case Kind::Scenario:
       break;
   }
@@ -124,7 +129,7 @@ bool FileCommands::dropFile(const QString& path, editor::EntityId under) {
   return maybeSave() && openFile(path);
 }
 
-bool FileCommands::openScenario(const QString& path) {
+bool FileCommands::openScenario(const QString& path, bool isTemporary) {
   editor::ScenarioDocument& document = workspace_.document();
   // Options given with a file apply only to that file, others to all files.
   const bool isMeant = options_.scenario.empty() || options_.scenario == path.toStdString();
@@ -138,8 +143,10 @@ bool FileCommands::openScenario(const QString& path) {
     base::append(problems, applyRunOptions());
   }
   if (isShown) {
-    userSettings_.addRecentFile(path);
-    Q_EMIT recentChanged();
+    if (!isTemporary) {
+      userSettings_.addRecentFile(path);
+      Q_EMIT recentChanged();
+    }
     Q_EMIT opened();
   }
   const bool isFine = showProblems(problems);
@@ -271,7 +278,8 @@ void FileCommands::openIfWanted(const QString& path) {
 void FileCommands::askOpen() {
   openIfWanted(
       ask(QFileDialog::ExistingFile, tr("Open a scenario or a map"),
-          tr("Scenarios, maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)")));
+          tr("Scenarios, maps, map images, packed studies (*.yaml *.yml *.png *.pgm *.bmp *.jpg "
+             "*.jpeg *.hnv)")));
 }
 
 void FileCommands::fillRecentMenu(QMenu& menu) {
@@ -474,11 +482,6 @@ void FileCommands::showRun(const RecordedRun& run, const QString& path, const QS
   Q_EMIT opened();  // before the run, so that the view fits the scenario
   workspace_.openRecorded(run.recording, name, std::move(again));
   Q_EMIT runOpened(QDir(path).absolutePath());
-}
-
-void FileCommands::remember(const QString& run) {
-  userSettings_.addRecentFile(QDir(run).absolutePath());  // with or without a trailing slash
-  Q_EMIT recentChanged();
 }
 
 /// Returns to the previous document, otherwise to the scenario of the run.

@@ -31,6 +31,8 @@ class FileCommands : public QObject {
   /// trajectories, or a tree for the selected people. False: the file could not be read completely;
   /// see the issues.
   bool openFile(const QString& path);
+  /// Opens a packed study from a temporary folder, which lives as long as the window.
+  bool openCapsule(const QString& path);
   /// Opens the folder of a recorded run. A temporary folder is not kept among the recent files.
   bool openRun(const QString& path, bool isTemporary = false);
   static bool isTracks(const QString& path);
@@ -74,10 +76,11 @@ class FileCommands : public QObject {
   QString folder() const;
 
  Q_SIGNALS:
-  void runOpened(const QString& folder);  // a recorded run is displayed
-  void opened();                          // a document or recorded run was opened
-  void closed();                          // no document is open
-  void optionsApplied();                  // options of the command line changed the document
+  void runOpened(const QString& folder);        // a recorded run is displayed
+  void opened();                                // a document or recorded run was opened
+  void studyOpened(const QString& experiment);  // results of a packed study are beside this file
+  void closed();                                // no document is open
+  void optionsApplied();                        // options of the command line changed the document
   void recentChanged();
   void issuesRaised();
   void exported(const QString& folder, int files);
@@ -85,7 +88,7 @@ class FileCommands : public QObject {
   void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
 
  private:
-  enum class Kind { Scenario, Map, Image, Tree, Run, Tracks };
+  enum class Kind { Scenario, Map, Image, Tree, Run, Tracks, Capsule };
   using GridPtr = std::shared_ptr<const sim2d::OccupancyGrid>;
   bool showProblems(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
@@ -95,7 +98,7 @@ class FileCommands : public QObject {
   bool openNewFromImage(const QString& path);
   GridPtr askScaleOf(const QString& path);  // null: cancelled, or not an image
   Kind kindOf(const QString& path) const;
-  bool openScenario(const QString& path);
+  bool openScenario(const QString& path, bool isTemporary = false);
   bool openTracks(const QString& path);
   void showRun(const RecordedRun& run, const QString& path, const QString& name,
                std::function<editor::RunRequest()> again);
@@ -116,7 +119,8 @@ class FileCommands : public QObject {
   base::Diagnostics problems_;
   std::optional<base::Diagnostic> truncationOfRun_;
   QString previousDocument_, scenarioOfRun_;  // files; while a recorded run is displayed
-  bool isMapRejected_ = false;                // their issues are cleared by the next map
+  std::vector<std::unique_ptr<QTemporaryDir>> unpacked_;  // folders of packed studies
+  bool isMapRejected_ = false;  // their issues are cleared by the next map
 };
 
 /// Protects unsaved work and reports file problems as notices: copies for crash recovery, changes

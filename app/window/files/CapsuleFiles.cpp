@@ -1,0 +1,46 @@
+#include <QtWidgets>
+
+#include "app/capsule/Unpacked.h"
+#include "app/run/Experiment.h"
+#include "app/window/files/FileCommands.h"
+
+namespace app {
+
+void FileCommands::remember(const QString& run) {
+  userSettings_.addRecentFile(QDir(run).absolutePath());  // with or without a trailing slash
+  Q_EMIT recentChanged();
+}
+
+/// The results of a batch are put where the study panel looks for them: beside the experiment.
+bool FileCommands::openCapsule(const QString& path) {
+  auto folder = std::make_unique<QTemporaryDir>();
+  const QString root = QFileInfo(folder->path()).canonicalFilePath() + QStringLiteral("/study");
+  const base::Result<capsule::UnpackedStudy> study =
+      capsule::unpackStudy(path.toStdString(), root.toStdString());
+  if (!study) {
+    return showProblems(study.diagnostics());
+  }
+  const QFileInfo experiment(QString::fromStdString(study->experiment));
+  const QString results = study->isBatch
+                              ? experiment.absoluteDir().filePath(experiment.completeBaseName() +
+                                                                  QStringLiteral("_results"))
+                              : QDir(root).filePath(QFileInfo(path).completeBaseName());
+  if (!QDir().rename(QString::fromStdString(study->folder), results)) {
+    return showProblems(
+        {base::error("file.cannot-write", {"its name is in use"}, results.toStdString())});
+  }
+  unpacked_.push_back(std::move(folder));
+  remember(path);
+  if (!study->isBatch) {
+    return openRun(results, true);
+  }
+  const base::Result<Experiment> read = readExperiment(study->experiment);
+  if (!read) {
+    return showProblems(read.diagnostics());
+  }
+  const bool isOpened = openScenario(QString::fromStdString(read->scenarioPaths.front()), true);
+  Q_EMIT studyOpened(experiment.absoluteFilePath());
+  return isOpened;
+}
+
+}  // namespace app
