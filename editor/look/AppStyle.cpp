@@ -141,8 +141,9 @@ QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, 
       break;
     case CT_ItemViewItem:
       result.setHeight(std::max(result.height(), kRowHeight));
-      result.rwidth() += (endsTableRow(option, widget) ? kTableInset : 0) +
-                         (followsNumbers(*option) ? kColumnGap : 0);
+      result.rwidth() +=
+          (endsTableRow(option, widget) || endsTreeRow(*option, widget) ? kTableInset : 0) +
+          (followsNumbers(*option) ? kColumnGap : 0);
       break;
     case CT_ToolButton:
       if (widget != nullptr && widget->property(kLinkProperty).toBool()) {
@@ -292,10 +293,14 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
     case CE_HeaderLabel: {
       const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);
       const bool isAfterNumbers = header != nullptr && followsNumbers(*header, widget);
-      drawn = header != nullptr && (header->section == 0 || isAfterNumbers);
+      const bool isLast = header != nullptr && endsTreeRow(*header, widget);
+      drawn = header != nullptr && (header->section == 0 || isAfterNumbers || isLast);
       if (drawn) {  // Aligned with the cells below.
         QStyleOptionHeader label = *header;
-        label.rect.adjust(isAfterNumbers ? kColumnGap : kTableInset, 0, 0, 0);
+        label.rect.adjust(isAfterNumbers         ? kColumnGap
+                          : header->section == 0 ? kTableInset
+                                                 : 0,
+                          0, isLast ? -kTableInset : 0, 0);
         if ((int(header->textAlignment) & Qt::TextWordWrap) == 0) {
           label.text = label.fontMetrics.elidedText(label.text, Qt::ElideMiddle,
                                                     label.rect.width() - kHeadingGap);

@@ -65,6 +65,10 @@ constexpr int kTableInset = 8;  // Padding before the first and after the last t
 constexpr int kListInset = 6;   // Horizontal padding of list rows [px].
 /// Returns true if an item is the last one in a table row.
 bool endsTableRow(const QStyleOption* option, const QWidget* widget);
+/// Whether the cell has right-aligned text in the last of several columns of a tree.
+bool endsTreeRow(const QStyleOption& cell, const QWidget* widget);
+/// The same for a heading of a tree.
+bool endsTreeRow(const QStyleOptionHeader& heading, const QWidget* header);
 constexpr int kColumnGap =
     8;  // Between right-aligned numbers and the text of the next column [px].
 /// Whether the cell has left-aligned text beside a column of right-aligned cells.

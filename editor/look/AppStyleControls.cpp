@@ -249,6 +249,20 @@ bool endsTableRow(const QStyleOption* option, const QWidget* widget) {
          item->index.model()->columnCount();
 }
 
+bool endsTreeRow(const QStyleOption& cell, const QWidget* widget) {
+  const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(&cell);
+  return item != nullptr && qobject_cast<const QTreeView*>(widget) != nullptr &&
+         item->index.column() > 0 && (item->displayAlignment & Qt::AlignRight) &&
+         item->index.column() + 1 == item->index.model()->columnCount();
+}
+
+bool endsTreeRow(const QStyleOptionHeader& heading, const QWidget* header) {
+  const auto* view = qobject_cast<const QHeaderView*>(header);
+  return view != nullptr && qobject_cast<const QTreeView*>(view->parentWidget()) != nullptr &&
+         heading.section > 0 && heading.section + 1 == view->count() &&
+         (heading.textAlignment & Qt::AlignRight);
+}
+
 bool followsNumbers(const QStyleOption& cell) {
   const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(&cell);
   if (item == nullptr || item->index.column() < 1 || item->displayAlignment & Qt::AlignRight) {
@@ -286,8 +300,12 @@ QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option,
       return alone ? rect.adjusted(4, 0, -2, 0) : rect;
     }
     case SE_ItemViewItemText:
-      rect.adjust(option != nullptr && followsNumbers(*option) ? kColumnGap : 0, 0,
-                  endsTableRow(option, widget) ? -kTableInset : 0, 0);
+      rect.adjust(
+          option != nullptr && followsNumbers(*option) ? kColumnGap : 0, 0,
+          endsTableRow(option, widget) || (option != nullptr && endsTreeRow(*option, widget))
+              ? -kTableInset
+              : 0,
+          0);
       [[fallthrough]];
     case SE_ItemViewItemDecoration:
       if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);

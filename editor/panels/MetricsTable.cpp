@@ -107,8 +107,9 @@ void MetricsTable::makeTop() {
       linkButton(tr("All"), tr("Measure all listed metrics"), this, [this] { chooseAll(true); });
   auto* none =
       linkButton(tr("None"), tr("Measure no listed metric"), this, [this] { chooseAll(false); });
-  auto* saving = linkButton(tr("Save"), tr("Save the choice to the metrics file of the scenario"),
-                            this, [this] { Q_EMIT saved(save()); });
+  auto* saving =
+      linkButton(tr("Save choice"), tr("Save the choice to the metrics file of the scenario"), this,
+                 [this] { Q_EMIT saved(save()); });
   search_->setMinimumWidth(120);
   top_ = configuredLayout(new QHBoxLayout, {12, 0, 12, 0}, 12,
                           {search_, count_, onlyMeasured_, all, none, saving});

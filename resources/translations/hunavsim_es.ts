@@ -5238,6 +5238,14 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <source>to %1 s</source>
         <translation>hasta %1 s</translation>
     </message>
+    <message>
+        <source>Pause the run to compare it.</source>
+        <translation>Pause la ejecución para compararla.</translation>
+    </message>
+    <message>
+        <source>Comparing the runs…</source>
+        <translation>Comparando las ejecuciones…</translation>
+    </message>
 </context>
 <context>
     <name>editor::ContactProbabilityPlot</name>
@@ -6010,10 +6018,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>No medir ninguna métrica de la lista</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Guardar</translation>
-    </message>
-    <message>
         <source>Save the choice to the metrics file of the scenario</source>
         <translation>Guardar la elección en el archivo de métricas del escenario</translation>
     </message>
@@ -6060,6 +6064,10 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Find a metric</source>
         <translation>Buscar una métrica</translation>
+    </message>
+    <message>
+        <source>Save choice</source>
+        <translation>Guardar selección</translation>
     </message>
 </context>
 <context>

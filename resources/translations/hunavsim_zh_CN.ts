@@ -5238,6 +5238,14 @@ For each seed, all planners run with the same people.</source>
         <source>to %1 s</source>
         <translation>至 %1 s</translation>
     </message>
+    <message>
+        <source>Pause the run to compare it.</source>
+        <translation>暂停运行以进行比较。</translation>
+    </message>
+    <message>
+        <source>Comparing the runs…</source>
+        <translation>正在比较各次运行…</translation>
+    </message>
 </context>
 <context>
     <name>editor::ContactProbabilityPlot</name>
@@ -6010,10 +6018,6 @@ For each seed, all planners run with the same people.</source>
         <translation>不测量列出的任何指标</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
         <source>Save the choice to the metrics file of the scenario</source>
         <translation>将选择保存到场景的指标文件</translation>
     </message>
@@ -6060,6 +6064,10 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Find a metric</source>
         <translation>查找指标</translation>
+    </message>
+    <message>
+        <source>Save choice</source>
+        <translation>保存所选</translation>
     </message>
 </context>
 <context>

@@ -158,6 +158,35 @@ class RunsAndFuturesTest : public QObject {
     QTRY_COMPARE(runs().sideBySide()->views().size(), std::size_t{1});
   }
 
+  /// What is missing for a comparison is said in its place; headings are not cut.
+  void comparison_duringARun_saysToPause() {
+    runDemo(4.0);
+    window_->docks().show({text("runs")});
+    forkAt(1.0, "dwa");
+    const QHeaderView& head = *runs().list().header();
+    QVERIFY(head.sectionSize(1) >= head.sectionSizeHint(1));
+    QTRY_VERIFY_WITH_TIMEOUT(!runs().comparison().isBusy(), 30000);
+    if (row(0).checkState(0) == Qt::Checked) {
+      tick(0);
+    }
+    const auto isSaid = [this](const char* words) {
+      for (const QLabel* label : runs().comparison().findChildren<QLabel*>()) {
+        if (label->isVisible() && label->text().startsWith(text(words))) {
+          return true;
+        }
+      }
+      return false;
+    };
+    QTRY_VERIFY(isSaid("Branch from an earlier moment"));
+    runner().setSpeed(0.1);
+    window_->workspace().playback().playPause->trigger();
+    QTRY_COMPARE(runner().state(), SimulationRunner::State::Running);
+    tick(0);
+    QTRY_VERIFY(isSaid("Pause the run to compare it."));
+    window_->workspace().playback().playPause->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(runs().comparison().table().rowCount() > 10, 30000);
+  }
+
   /// Only the newest state of a run has what robots perceive: no view has it beside others.
   void runs_sideBySide_showTheSameOverlays() {
     runDemo(3.0);

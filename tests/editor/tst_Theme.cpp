@@ -8,6 +8,7 @@
 #include <QTabBar>
 #include <QTableWidget>
 #include <QToolTip>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include "editor/look/AppStyle.h"
@@ -184,6 +185,25 @@ class ThemeTest : public QObject {
       return table.style()->subElementRect(QStyle::SE_ItemViewItemText, &cell, &table).left();
     };
     QCOMPARE(leftOf(1) - leftOf(2), kColumnGap);
+  }
+
+  /// Numbers in the last column of a tree do not touch the edge or the scroll bar.
+  void columns_lastNumbersOfATree_keepADistance() {
+    applyTheme(Theme::light());
+    QTreeWidget tree;
+    tree.setColumnCount(2);
+    auto* row = new QTreeWidgetItem(&tree, {QStringLiteral("m"), QStringLiteral("1")});
+    const auto rightOf = [&](Qt::Alignment alignment) {
+      QStyleOptionViewItem cell;
+      cell.index = tree.model()->index(tree.indexOfTopLevelItem(row), 1);
+      cell.rect = QRect(0, 0, 100, 24);
+      cell.features = QStyleOptionViewItem::HasDisplay;
+      cell.displayAlignment = alignment;
+      cell.text = QStringLiteral("1");
+      return tree.style()->subElementRect(QStyle::SE_ItemViewItemText, &cell, &tree).right();
+    };
+    QCOMPARE(rightOf(Qt::AlignLeft | Qt::AlignVCenter) - rightOf(Qt::AlignRight | Qt::AlignVCenter),
+             kTableInset);
   }
 
   /// A tooltip of a widget and of a list row; a short one is left to Qt.

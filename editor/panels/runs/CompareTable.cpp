@@ -50,10 +50,8 @@ CompareTable::CompareTable(PanelContext& context)
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
   both->setSizes({440, 220});
-  stack_->addWidget(
-      emptyState(tr("Branch from an earlier moment, or add a recorded run. Checked runs are "
-                    "compared with the displayed run."),
-                 this));
+  stack_->addWidget(nothing_);
+  showWaiting(Waiting::ForRuns);
   stack_->addWidget(both);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &CompareTable::showSelected);
@@ -99,7 +97,16 @@ base::Result<app::MetricsSetup> CompareTable::setup() const {
   return setup;
 }
 
+void CompareTable::showWaiting(Waiting what) {
+  nothing_->setText(what == Waiting::ForRuns
+                        ? tr("Branch from an earlier moment, or add a recorded run. Checked runs "
+                             "are compared with the displayed run.")
+                    : what == Waiting::ForPause ? tr("Pause the run to compare it.")
+                                                : tr("Comparing the runs…"));
+}
+
 void CompareTable::compare(std::vector<Run> runs) {
+  showWaiting(runs.size() < 2 ? Waiting::ForRuns : Waiting::ForResults);
   if (runs.size() < 2) {
     stop_->stop();
     stop_ = std::make_shared<base::StopFlag>();

@@ -17,6 +17,7 @@ enum RunColumn { RunNameColumn, LeftAtColumn, ChangedColumn, RunColumns };
 constexpr int kRowRole = Qt::UserRole;
 constexpr int kSwatch = 18;
 constexpr int kRunNameWidth = 130;
+constexpr int kAfterHeading = 8;
 
 /// A line in the style of a run with its letter, as on the map and in the plots.
 QIcon styleIcon(int style, const Theme& theme) {
@@ -93,7 +94,7 @@ void RunsPanel::makeList() {
   QHeaderView* header = list_->header();
   header->setStretchLastSection(true);
   header->resizeSection(RunNameColumn, kRunNameWidth);
-  header->resizeSection(LeftAtColumn, 56);
+  header->resizeSection(LeftAtColumn, header->sectionSizeHint(LeftAtColumn) + kAfterHeading);
   list_->setMinimumWidth(240);
 }
 
@@ -351,6 +352,8 @@ void RunsPanel::addReadRun(const ReadRun& read) {
 void RunsPanel::measure() {
   if (context_.runner.state() == SimulationRunner::State::Running &&
       !context_.runner.isFinished()) {
+    table_->showWaiting(compared().empty() ? CompareTable::Waiting::ForRuns
+                                           : CompareTable::Waiting::ForPause);
     return;
   }
   std::vector<CompareTable::Run> runs;

@@ -33,6 +33,9 @@ class CompareTable : public QWidget {
   Q_DISABLE_COPY_MOVE(CompareTable)
 
   void compare(std::vector<Run> runs);
+  /// What is missing before there is a comparison, as shown in place of one.
+  enum class Waiting { ForRuns, ForPause, ForResults };
+  void showWaiting(Waiting what);
   bool isBusy() const { return task_.isBusy(); }
   QTableWidget& table() const { return *table_; }
   MetricPlot& plot() const { return *plot_; }
@@ -69,6 +72,7 @@ class CompareTable : public QWidget {
 
   PanelContext& context_;
   QStackedLayout* stack_ = new QStackedLayout(this);
+  QLabel* nothing_ = emptyState({}, this);
   QTableWidget* table_ = new QTableWidget(this);
   ElidedLabel* lengths_ = new ElidedLabel(this);
   QAbstractButton* wholeRuns_ = nullptr;
