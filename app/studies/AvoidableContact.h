@@ -21,8 +21,9 @@
 /// The last avoidable action is the latest one among all instants before the contact. The set of
 /// all actions is monotone in time: the recorded commands up to a later instant and a manoeuvre
 /// from there on are an action of each earlier instant too. The set of manoeuvres from one instant
-/// is not, so the instants are not bisected; all of them are tried, from the contact backwards.
-/// Related: inevitable collision states (Fraichard & Asama 2004, Advanced Robotics 18(10)).
+/// is not, so the instants are not bisected: every second one is tried, and those that follow an
+/// instant with an action. Related: inevitable collision states (Fraichard & Asama 2004, Advanced
+/// Robotics 18(10)).
 namespace app {
 
 /// A recorded run that can be repeated from its beginning.

@@ -117,7 +117,7 @@ std::optional<AvoidingAction> actionOf(const TrialJson& json) {
                         pathOf(json.at("robot")), pathOf(json.at("person"))};
 }
 
-const auto kNeverStop = [] { return false; };
+const auto kKeepWaiting = [] { return false; };
 
 /// The first of the manoeuvres that avoids the contact, each tried in a copy of the process.
 /// `preferred`: the index to try first, and the one that was found. False: no more processes.
@@ -138,7 +138,7 @@ bool findAction(const std::vector<Manoeuvre>& all, std::size_t& preferred, Try t
           one.robot = tryOne(all[k]);
           return scanText(one);
         },
-        kNeverStop);
+        kKeepWaiting);
     const std::optional<ScanResult> answer = text ? scanOf(*text) : std::nullopt;
     if (!answer) {
       return false;
@@ -203,31 +203,62 @@ std::optional<AvoidingAction> tryPerson(RunStepper& stepper, const sim2d::TraceH
                         });
 }
 
+namespace {
+
+/// The search for the latest action of one of the two, instant by instant. Every second instant is
+/// tried, and those that follow an instant with an action.
+class ActionScan {
+ public:
+  explicit ActionScan(std::optional<AvoidingAction>& latest) : latest_(latest) {}
+
+  /// `number`: of the instant, counted back from the contact. False: no more processes.
+  template <class Manoeuvre, class Try>
+  bool add(std::int64_t number, const std::vector<Manoeuvre>& all, Try tryOne, ScanResult& result) {
+    const bool isTried = number % 2 == 0 || wasAvoidable_;
+    std::optional<AvoidingAction> found;
+    if (isTried && !findAction(all, preferred_, tryOne, result, found)) {
+      return false;
+    }
+    wasAvoidable_ = found.has_value();
+    if (found) {
+      latest_ = std::move(found);
+    }
+    return true;
+  }
+
+ private:
+  std::optional<AvoidingAction>& latest_;
+  std::size_t preferred_ = 0;  // index of the manoeuvre that was found last
+  bool wasAvoidable_ = true;   // at the last instant; unknown at first
+};
+
+}  // namespace
+
 std::optional<ScanResult> scanInstants(RunStepper& stepper, const sim2d::TraceHeader& header,
                                        const AvoidanceTarget& target, std::int64_t until,
                                        const WantedActions& wanted) {
   ScanResult result;
-  std::size_t preferredOfRobot = 0, preferredOfPerson = 0;
+  ActionScan robot(result.robot), person(result.person);
   bool hasStep = true;
   for (; hasStep && stepper.step() < until; hasStep = stepper.advance()) {
     const std::int64_t before = target.contactStep - stepper.step();
     if (stepper.step() < target.firstStep || before % target.stride != 0) {
       continue;
     }
-    if (wanted.robot &&
-        !findAction(
-            robotManoeuvres(*header.robot(target.robot), twistIn(stepper.frame(), target.robot)),
-            preferredOfRobot,
-            [&](const RobotManoeuvre& each) { return tryRobot(stepper, header, target, each); },
-            result, result.robot)) {
+    const std::int64_t number = before / target.stride;
+    const auto ofRobot = [&](const RobotManoeuvre& each) {
+      return tryRobot(stepper, header, target, each);
+    };
+    const auto ofPerson = [&](const PersonManoeuvre& each) {
+      return tryPerson(stepper, header, target, each);
+    };
+    if (wanted.robot && !robot.add(number,
+                                   robotManoeuvres(*header.robot(target.robot),
+                                                   twistIn(stepper.frame(), target.robot)),
+                                   ofRobot, result)) {
       return std::nullopt;
     }
-    const bool isForPeople = before % (2 * target.stride) == 0;  // coarser: planners are called
-    if (wanted.person && isForPeople &&
-        !findAction(
-            personManoeuvres(), preferredOfPerson,
-            [&](const PersonManoeuvre& each) { return tryPerson(stepper, header, target, each); },
-            result, result.person)) {
+    if (wanted.person && !person.add(number, personManoeuvres(), ofPerson, result)) {
       return std::nullopt;
     }
   }

@@ -28,7 +28,7 @@ const char* causeName(Cause cause) {
   return found->second;
 }
 
-Cause causeOf(const std::string& name) {
+Cause contactCauseOf(const std::string& name) {
   const auto* const found = std::find_if(std::begin(kCauses), std::end(kCauses),
                                          [&name](const auto& each) { return name == each.second; });
   return found != std::end(kCauses) ? found->first : Cause::Both;
@@ -39,11 +39,11 @@ ReportJson optionalJson(const std::optional<T>& value) {
   return value ? ReportJson(*value) : ReportJson();
 }
 
-std::optional<double> numberOf(const ReportJson& json) {
+std::optional<double> optionalNumberOf(const ReportJson& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
-ReportJson pathJson(const std::vector<base::Vec2>& path) {
+ReportJson pointsJson(const std::vector<base::Vec2>& path) {
   ReportJson points = ReportJson::array();
   for (const base::Vec2& point : path) {
     points.push_back({point.x(), point.y()});
@@ -51,7 +51,7 @@ ReportJson pathJson(const std::vector<base::Vec2>& path) {
   return points;
 }
 
-std::vector<base::Vec2> pathOf(const ReportJson& json) {
+std::vector<base::Vec2> pointsOf(const ReportJson& json) {
   std::vector<base::Vec2> path;
   for (const ReportJson& point : json) {
     path.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
@@ -59,27 +59,27 @@ std::vector<base::Vec2> pathOf(const ReportJson& json) {
   return path;
 }
 
-ReportJson actionJson(const std::optional<double>& sight,
-                      const std::optional<AvoidingAction>& action, bool couldAvoid) {
+ReportJson sideJson(const std::optional<double>& sight, const std::optional<AvoidingAction>& action,
+                    bool couldAvoid) {
   ReportJson json;
   json["first_sight"] = optionalJson(sight);
   json["last_action"] = action ? ReportJson(action->time) : ReportJson();
   json["manoeuvre"] = action ? ReportJson(action->manoeuvre) : ReportJson();
   json["could_avoid"] = couldAvoid;
   if (action) {
-    json["robot_path"] = pathJson(action->robotPath);
-    json["person_path"] = pathJson(action->personPath);
+    json["robot_path"] = pointsJson(action->robotPath);
+    json["person_path"] = pointsJson(action->personPath);
   }
   return json;
 }
 
-std::optional<AvoidingAction> actionOf(const ReportJson& json) {
+std::optional<AvoidingAction> sideActionOf(const ReportJson& json) {
   if (json.at("last_action").is_null()) {
     return std::nullopt;
   }
   return AvoidingAction{json.at("last_action").get<double>(),
-                        json.at("manoeuvre").get<std::string>(), pathOf(json.at("robot_path")),
-                        pathOf(json.at("person_path"))};
+                        json.at("manoeuvre").get<std::string>(), pointsOf(json.at("robot_path")),
+                        pointsOf(json.at("person_path"))};
 }
 
 ReportJson contactJson(const ReportedContact& reported, const ContactReport& report) {
@@ -94,10 +94,10 @@ ReportJson contactJson(const ReportedContact& reported, const ContactReport& rep
   json["position"] = {contact.position.x(), contact.position.y()};
   json["cause"] = causeName(contact.cause);
   json["could_avoid"] = whoCouldAvoid(contact);
-  json["by_robot"] = actionJson(contact.robotSight, contact.robotAction, contact.couldRobotAvoid());
+  json["by_robot"] = sideJson(contact.robotSight, contact.robotAction, contact.couldRobotAvoid());
   json["by_robot"]["braking_at_first_sight_avoids"] = optionalJson(contact.brakingAvoids);
   json["by_person"] =
-      actionJson(contact.personSight, contact.personAction, contact.couldPersonAvoid());
+      sideJson(contact.personSight, contact.personAction, contact.couldPersonAvoid());
   json["without"] = ReportJson::array();
   for (const WithoutPerson& each : reported.withoutPeople) {
     json["without"].push_back({{"person", report.nameOf(each.person)},
@@ -109,7 +109,7 @@ ReportJson contactJson(const ReportedContact& reported, const ContactReport& rep
   return json;
 }
 
-ReportedContact contactOf(const ReportJson& json) {
+ReportedContact reportedContactOf(const ReportJson& json) {
   ReportedContact reported;
   AvoidableContact& contact = reported.contact;
   contact.time = json.at("time").get<double>();
@@ -118,12 +118,12 @@ ReportedContact contactOf(const ReportJson& json) {
   contact.person = json.at("person_id").get<int>();
   contact.position = {json.at("position").at(0).get<double>(),
                       json.at("position").at(1).get<double>()};
-  contact.cause = causeOf(json.at("cause").get<std::string>());
+  contact.cause = contactCauseOf(json.at("cause").get<std::string>());
   const ReportJson &robot = json.at("by_robot"), &person = json.at("by_person");
-  contact.robotSight = numberOf(robot.at("first_sight"));
-  contact.personSight = numberOf(person.at("first_sight"));
-  contact.robotAction = actionOf(robot);
-  contact.personAction = actionOf(person);
+  contact.robotSight = optionalNumberOf(robot.at("first_sight"));
+  contact.personSight = optionalNumberOf(person.at("first_sight"));
+  contact.robotAction = sideActionOf(robot);
+  contact.personAction = sideActionOf(person);
   const ReportJson& braking = robot.at("braking_at_first_sight_avoids");
   contact.brakingAvoids = braking.is_null() ? std::nullopt : std::optional(braking.get<bool>());
   contact.trials = json.at("trials").get<std::size_t>();
@@ -153,12 +153,12 @@ ReportJson effectJson(const metrics::PersonEffect& effect, const ContactReport& 
   return json;
 }
 
-metrics::PersonEffect effectOf(const ReportJson& json) {
+metrics::PersonEffect personEffectOf(const ReportJson& json) {
   metrics::PersonEffect effect;
   effect.id = json.at("id").get<int>();
   for (const EffectColumn& column : kEffects) {
     effect.*column.member =
-        numberOf(json.at(column.name)).value_or(std::numeric_limits<double>::quiet_NaN());
+        optionalNumberOf(json.at(column.name)).value_or(std::numeric_limits<double>::quiet_NaN());
   }
   return effect;
 }
@@ -195,10 +195,10 @@ ContactReport reportOfJson(const ReportJson& json) {
     report.names[static_cast<int>(base::parseInt(id).value_or(0))] = name.get<std::string>();
   }
   for (const ReportJson& each : json.at("contacts")) {
-    report.contacts.push_back(contactOf(each));
+    report.contacts.push_back(reportedContactOf(each));
   }
   for (const ReportJson& each : json.at("people")) {
-    report.effects.push_back(effectOf(each));
+    report.effects.push_back(personEffectOf(each));
   }
   report.problem = json.at("problem").get<std::string>();
   return report;

@@ -1,0 +1,189 @@
+#include <QJsonArray>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+using namespace outside;
+
+namespace {
+
+QString words(const char* text) {
+  return QString::fromUtf8(text);
+}
+
+/// A robot that is too fast for two people in a room of 12 x 2 m, who ignore each other and it.
+constexpr const char* kFastRobot = R"(hunav_loader:
+  ros__parameters:
+    yaml_base_name: fast_robot
+    simulator: Gazebo Classic
+    map: open
+    publish_people: true
+    global_goals:
+      1: {x: 1.0, y: 2.0}
+      2: {x: 11.0, y: 2.6}
+    agents: [anna, ben]
+    anna:
+      id: 1
+      max_vel: 1.2
+      radius: 0.3
+      goal_radius: 0.3
+      cyclic_goals: false
+      init_pose: {x: 11.0, y: 2.0, h: 3.142}
+      behavior: {type: 1, configuration: 1, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 0.0, other_force_factor: 20.0}
+      goals: [1]
+    ben:
+      id: 2
+      max_vel: 1.0
+      radius: 0.3
+      goal_radius: 0.3
+      cyclic_goals: false
+      init_pose: {x: 4.0, y: 2.6, h: 0.0}
+      behavior: {type: 1, configuration: 1, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 0.0, other_force_factor: 20.0}
+      goals: [2]
+hunavsim_desktop:
+  ros__parameters:
+    format: 1
+    map_file: none
+    robots: [robot1]
+    robot1:
+      planner: pursuit
+      start: {x: 1.0, y: 2.0, h: 0.0}
+      goal: {x: 10.5, y: 2.0}
+      max_vel: 3.0
+      max_acc: 1.0
+    obstacles: [room]
+    room:
+      kind: wall
+      xs: [0.0, 12.0, 12.0, 0.0, 0.0]
+      ys: [1.2, 1.2, 3.2, 3.2, 1.2]
+)";
+
+constexpr const char* kExperiment = R"(scenarios: [fast.yaml]
+seeds: [1, 2]
+values:
+  robot1.max_vel: [0.5, 3.0]
+)";
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void writeTo(const QTemporaryDir& folder, const char* name, const char* content) {
+  QFile file(folder.filePath(words(name)));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(content);
+}
+
+Finished inFolder(const QTemporaryDir& folder, const char* line) {
+  return runProgram(words(line).split(QLatin1Char(' ')), folder.path());
+}
+
+}  // namespace
+
+/// `contacts` from outside.
+class ContactsProgramTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    writeTo(folder_, "fast.yaml", kFastRobot);
+    writeTo(folder_, "study.yaml", kExperiment);
+    const Finished run = inFolder(folder_, "run fast.yaml -o out -q");
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+  }
+
+  /// The robot's speed grows with 1 m/s² and the person walks away: braking takes longer than the
+  /// time that is left at the contact.
+  void run_json_hasActionsBeforeTheContact() {
+    const Finished json = inFolder(folder_, "contacts out --json");
+    QVERIFY2(json.exitCode == 0, qPrintable(json.err));
+    const QJsonArray reports = QJsonDocument::fromJson(json.out.toUtf8()).array();
+    QCOMPARE(reports.size(), 1);
+    const QJsonArray contacts = reports[0].toObject()[words("contacts")].toArray();
+    const int touches = contentOf(folder_.filePath(words("out/events.csv"))).count("contact,-1,");
+    QVERIFY(!contacts.isEmpty() && contacts.size() <= touches);
+    for (const auto& value : contacts) {
+      const QJsonObject contact = value.toObject();
+      const QJsonObject robot = contact[words("by_robot")].toObject();
+      const double time = contact[words("time")].toDouble();
+      const double action = robot[words("last_action")].toDouble();
+      QVERIFY(action > 0.0 && action < time);
+      QVERIFY(!robot[words("manoeuvre")].toString().isEmpty());
+      QVERIFY(robot[words("robot_path")].toArray().size() > 2);
+      QCOMPARE(robot[words("could_avoid")].toBool(), true);
+      QCOMPARE(robot[words("braking_at_first_sight_avoids")].toBool(), true);
+      QCOMPARE(contact[words("without")].toArray().size(), 1);
+    }
+    QCOMPARE(reports[0].toObject()[words("people")].toArray().size(), 2);
+  }
+
+  /// People in the run without the robot, against `run --counterfactual`.
+  void people_areThoseOfTheCounterfactual() {
+    const Finished run = inFolder(folder_, "run fast.yaml -o compared -q --counterfactual");
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    QCOMPARE(inFolder(folder_, "contacts out -o tables -q").exitCode, 0);
+    const QList<QByteArray> expected =
+        contentOf(folder_.filePath(words("compared/counterfactual.csv"))).trimmed().split('\n');
+    const QList<QByteArray> found =
+        contentOf(folder_.filePath(words("tables/contact_people.csv"))).trimmed().split('\n');
+    QCOMPARE(found.size(), expected.size());
+    for (int k = 0; k < found.size(); ++k) {
+      QVERIFY2(found[k].endsWith(expected[k]), found[k].constData());
+    }
+  }
+
+  void output_hasTablesAndPictures() {
+    const Finished told = inFolder(folder_, "contacts out -o out --quick");
+    QVERIFY2(told.exitCode == 0, qPrintable(told.err));
+    QVERIFY2(told.out.contains(words("could avoid")), qPrintable(told.out));
+    const QByteArray table = contentOf(folder_.filePath(words("out/contacts.csv")));
+    QVERIFY(table.startsWith("run,scenario,seed,planners,time,robot,person,"));
+    QVERIFY(table.contains("out,fast_robot,1,pursuit,"));
+    const QByteArray picture = contentOf(folder_.filePath(words("out/figures/contact_1.svg")));
+    QVERIFY(picture.contains("with the manoeuvre"));
+    QVERIFY(picture.contains("<polyline") || picture.contains("<path"));
+    // The folder is still a run, and a second analysis replaces the first one.
+    QCOMPARE(inFolder(folder_, "evaluate out -o measured -q").exitCode, 0);
+    QCOMPARE(inFolder(folder_, "contacts out -o out --quick -q").exitCode, 0);
+  }
+
+  void batch_hasRowsOfItsRuns_forAnyNumberOfJobs() {
+    QCOMPARE(inFolder(folder_, "batch study.yaml -o batch -q --jobs 1").exitCode, 0);
+    const Finished one = inFolder(folder_, "contacts batch -o one --jobs 1");
+    QVERIFY2(one.exitCode == 0, qPrintable(one.err));
+    QVERIFY2(one.out.contains(words("delay per person")), qPrintable(one.out));
+    QCOMPARE(inFolder(folder_, "contacts batch -o two --jobs 2 -q").exitCode, 0);
+    for (const char* name : {"contacts.csv", "contact_people.csv", "contact_planners.csv"}) {
+      const QByteArray table = contentOf(folder_.filePath(words("one/") + words(name)));
+      QVERIFY(!table.isEmpty());
+      QCOMPARE(contentOf(folder_.filePath(words("two/") + words(name))), table);
+    }
+    const QByteArray people = contentOf(folder_.filePath(words("one/contact_people.csv")));
+    QCOMPARE(people.count('\n'), 1 + 4 * 2);  // 4 runs with 2 people
+    const QByteArray planners = contentOf(folder_.filePath(words("one/contact_planners.csv")));
+    QVERIFY2(planners.contains("\npursuit,4,8,"), planners.constData());
+  }
+
+  void wrongInput_isRefused() {
+    QCOMPARE(inFolder(folder_, "contacts nowhere").exitCode, 2);
+    QCOMPARE(inFolder(folder_, "contacts out --lookback 0").exitCode, 64);
+    QCOMPARE(inFolder(folder_, "contacts out --settle -1").exitCode, 64);
+    QCOMPARE(inFolder(folder_, "contacts out --range 1e9").exitCode, 64);
+    QCOMPARE(inFolder(folder_, "contacts").exitCode, 64);
+    // Another scenario than the one of the run.
+    const QTemporaryDir changed;
+    writeTo(changed, "fast.yaml", kFastRobot);
+    QCOMPARE(inFolder(changed, "run fast.yaml -o out -q").exitCode, 0);
+    writeTo(changed, "fast.yaml", QByteArray(kFastRobot).replace("3.0", "2.5").constData());
+    const Finished refused = inFolder(changed, "contacts out");
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains(words("not the input of the run")), qPrintable(refused.err));
+  }
+
+ private:
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(ContactsProgramTest)
+#include "tst_ContactsProgram.moc"
