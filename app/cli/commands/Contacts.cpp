@@ -263,7 +263,7 @@ void addContacts(CommandRegistry& commands) {
   commands.addExamples(
       command, {{"hunavsim contacts out --quick",
                  "List until when each contact of a run could have been avoided, and by whom"},
-                {"hunavsim contacts out -o out/contacts",
+                {"hunavsim contacts out -o contacts",
                  "Also write the tables and a picture of each contact"}});
 }
 
