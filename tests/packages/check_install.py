@@ -59,12 +59,19 @@ def check_files(usr, build):
         expect(not is_source, f"belongs to the sources: {path}")
 
 
-def check_versions(usr, root, version, program):
+def check_versions(usr, build, root, version, program):
     expect(f"hunavsim {version} " in output_of(program, "--version"), "version of the program")
     heading = re.search(r"^## (.*)$", (root / "CHANGELOG.md").read_text(encoding="utf-8"), flags=re.M)
     expect(heading.group(1).startswith(f"{version} ("), f"version of the changelog: {heading.group(1)}")
-    expect(f"\nversion: {version}\n" in (root / "CITATION.cff").read_text(encoding="utf-8"),
-           "version of CITATION.cff")
+    citation = (root / "CITATION.cff").read_text(encoding="utf-8")
+    expect(f"\nversion: {version}\n" in citation, "version of CITATION.cff")
+    date = heading.group(1).partition("(")[2].rstrip(")")
+    expect(f"\ndate-released: {date}\n" in citation, f"date of CITATION.cff: not {date}")
+    expect(f'CPACK_PACKAGE_VERSION "{version}"' in (build / "CPackConfig.cmake").read_text(encoding="utf-8"),
+           "version of the package")
+    manual = build / "manual/html/_static/documentation_options.js"
+    expect(not manual.is_file() or f"VERSION: '{version}'" in manual.read_text(encoding="utf-8"),
+           "version of the manual")
     metadata = (usr / FILES[2]).read_text(encoding="utf-8")
     expect(f'<release version="{version}"' in metadata, "version of the metadata")
     with gzip.open(usr / "share/man/man1/hunavsim.1.gz", "rt", encoding="utf-8") as page:
@@ -105,7 +112,7 @@ def main():
     if not problems:
         program = str(usr / "bin/hunavsim")
         check_files(usr, build)
-        check_versions(usr, root, version, program)
+        check_versions(usr, build, root, version, program)
         check_metadata(usr, output)
         check_program(usr, output, program)
     for problem in problems:
