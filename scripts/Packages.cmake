@@ -1,6 +1,6 @@
-# The Debian package: `cpack --config build/release/CPackConfig.cmake`. Its dependencies are read from the
-# program (dpkg-shlibdeps), so a package fits the system on which it was built. With SOURCE_DATE_EPOCH set,
-# equal sources give equal bytes.
+# The Debian packages: `cpack --config build/release/CPackConfig.cmake`; with the preset `python` also that of
+# the Python module. Their dependencies are read from the program and the module (dpkg-shlibdeps), so a
+# package fits the system on which it was built. With SOURCE_DATE_EPOCH set, equal sources give equal bytes.
 set(HUNAV_MAINTAINER "HuNavSim Desktop developers <noreply@localhost>" CACHE STRING
     "Maintainer in the package")
 set(CPACK_GENERATOR DEB)
@@ -23,4 +23,19 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk")  # or any font with Chinese 
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
     WORLD_READ WORLD_EXECUTE)
+if(HUNAV_PYTHON)  # a package of its own, which needs the data of the other one
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME ${CPACK_PACKAGE_NAME})
+  set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "${CPACK_DEBIAN_PACKAGE_DESCRIPTION}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hunavsim)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "hunavsim (= ${PROJECT_VERSION}), python3-numpy, \
+python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+"Python module of HuNavSim Desktop: edit and run scenarios, traces as numpy
+arrays, metrics, studies, and environments for reinforcement learning.")
+endif()
 include(CPack)

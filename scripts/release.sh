@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Builds and checks a release. Usage: scripts/release.sh [--no-tests]
-# Tests, builds (release) with manual and packages, checks metadata and version, and writes into
-# build/packages: the Debian package, its checksum and the release notes from CHANGELOG.md.
+# Tests, builds (as released, with the Python module) with manual and packages, checks metadata and version,
+# and writes into build/packages: the Debian packages, their checksums and the release notes from CHANGELOG.md.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 packages=$build/packages
+preset=python  # release build of program and Python module
 
 version_of_project() {
   sed -n 's/^project(hunavsim VERSION \([0-9.]*\) .*/\1/p' "$root/CMakeLists.txt"
@@ -21,7 +22,7 @@ release_notes() {
 # Program, changelog and citation have the version of CMakeLists.txt.
 check_version() {
   local version=$1
-  "$build/release/hunavsim" --version | grep -qF "hunavsim $version " ||
+  "$build/$preset/hunavsim" --version | grep -qF "hunavsim $version " ||
     fail "hunavsim --version is not $version"
   grep -m 1 '^## ' "$root/CHANGELOG.md" | grep -qE "^## $version \([0-9]{4}-[0-9]{2}-[0-9]{2}\)$" ||
     fail "CHANGELOG.md does not begin with a section '## $version (YYYY-MM-DD)'"
@@ -30,7 +31,7 @@ check_version() {
 }
 
 check_metadata() {
-  local file=$build/release/desktop/io.github.hunavsim.desktop.metainfo.xml
+  local file=$build/$preset/desktop/io.github.hunavsim.desktop.metainfo.xml
   if command -v appstreamcli >/dev/null; then
     logged "$logs/appstream.log" appstreamcli validate --no-net "$file"
   fi
@@ -40,23 +41,27 @@ check_metadata() {
 }
 
 # Equal sources give equal packages: times are those of the last commit.
-make_package() {
+make_packages() {
   local time
   time=$(git -C "$root" log -1 --format=%ct 2>/dev/null || true)
   rm -rf "$packages"
   mkdir -p "$packages"
   say "packing"
   logged "$logs/cpack.log" env SOURCE_DATE_EPOCH="${time:-0}" \
-    cpack --config "$build/release/CPackConfig.cmake" -B "$packages"
+    cpack --config "$build/$preset/CPackConfig.cmake" -B "$packages"
   rm -rf "$packages/_CPack_Packages"
 }
 
-# The demo runs from the unpacked package.
-try_package() {
-  local folder=$build/package-trial
+# The demo runs from the unpacked packages, and the Python module finds the data of the other one.
+try_packages() {
+  local folder=$build/package-trial package
   rm -rf "$folder"
-  dpkg-deb -x "$packages"/*.deb "$folder"
+  for package in "$packages"/*.deb; do
+    dpkg-deb -x "$package" "$folder"
+  done
   logged "$logs/package.log" "$folder/usr/bin/hunavsim" run corner_cafe_agents --duration 5 --quiet
+  logged "$logs/package-python.log" env PYTHONPATH="$folder/usr/lib/python3/dist-packages" \
+    /usr/bin/python3 -B -c 'import hunavsim; hunavsim.Scenario("corner_cafe_agents")'
   [ -f "$folder/usr/share/hunavsim/manual/index.html" ] || fail "the package has no manual"
   rm -rf "$folder"
 }
@@ -74,13 +79,13 @@ if [ "$tests" = yes ]; then
   "$root/scripts/test.sh"
 fi
 lock_build
-need_packages "${packages_to_run[@]}" "${packages_to_release[@]}"
-build_preset release
+need_packages "${packages_to_run[@]}" "${packages_to_release[@]}" "${packages_to_python[@]}"
+build_preset "$preset"
 version=$(version_of_project)
 check_version "$version"
 check_metadata
-make_package
-try_package
+make_packages
+try_packages
 release_notes "$version" >"$packages/release-notes.md"
 (cd "$packages" && sha256sum ./*.deb >SHA256SUMS)
 say "ready: $packages"
