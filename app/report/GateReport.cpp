@@ -32,7 +32,7 @@ std::vector<std::string> titlesWith(const app::GateResult& result, GateVerdict v
   return titles;
 }
 
-std::string headlineOf(const app::GateOptions& options, const app::GateResult& result) {
+std::string gateHeadline(const app::GateOptions& options, const app::GateResult& result) {
   const std::string& candidate = options.candidate.text;
   const std::string& base = options.base.text;
   switch (result.verdict) {
@@ -49,7 +49,7 @@ std::string headlineOf(const app::GateOptions& options, const app::GateResult& r
 }
 
 /// How many runs, and what limits the errors.
-std::string methodText(const app::GateOptions& options, const app::GateResult& result) {
+std::string gateMethodText(const app::GateOptions& options, const app::GateResult& result) {
   const std::string level = levelText(options.level);
   return counted(result.pairs.size(), "pair") + " of runs with the same scenario and seed in " +
          counted(options.scenarios.size(), "scenario") + ", at most " +
@@ -66,7 +66,8 @@ std::string methodText(const app::GateOptions& options, const app::GateResult& r
 }
 
 /// Remarks on the validity of the result.
-std::vector<std::string> remarksOf(const app::GateOptions& options, const app::GateResult& result) {
+std::vector<std::string> gateRemarks(const app::GateOptions& options,
+                                     const app::GateResult& result) {
   std::vector<std::string> remarks;
   for (const std::size_t scenario : result.constantScenarios) {
     remarks.push_back("In " + options.scenarios[scenario].name +
@@ -84,8 +85,8 @@ std::vector<std::string> remarksOf(const app::GateOptions& options, const app::G
   return remarks;
 }
 
-std::string factsMarkup(const std::vector<std::string>& command,
-                        const std::vector<app::InputHash>& inputs) {
+std::string gateFactsMarkup(const std::vector<std::string>& command,
+                            const std::vector<app::InputHash>& inputs) {
   std::string facts;
   const auto fact = [&facts](const std::string& name, const std::string& value) {
     facts += element("dt", "", escaped(name)) +
@@ -99,13 +100,13 @@ std::string factsMarkup(const std::vector<std::string>& command,
          "\n";
 }
 
-std::string htmlOf(const app::GateOptions& options, const app::GateResult& result,
-                   const std::vector<GateFinding>& findings, const std::string& headline,
-                   const std::string& facts) {
+std::string gateHtml(const app::GateOptions& options, const app::GateResult& result,
+                     const std::vector<GateFinding>& findings, const std::string& headline,
+                     const std::string& facts) {
   constexpr std::size_t kMostRows = 200;
   std::string notes =
       element("p", " class=\"verdict\"", element("b", "", escaped(headline))) + "\n";
-  for (const std::string& remark : remarksOf(options, result)) {
+  for (const std::string& remark : gateRemarks(options, result)) {
     notes += paragraph(remark, " class=\"warning\"");
   }
   const Figure figure = gateFigure(result);
@@ -115,7 +116,7 @@ std::string htmlOf(const app::GateOptions& options, const app::GateResult& resul
   body += "<h2 id=\"pairs\">Pairs</h2>\n";
   body += findings.empty() ? paragraph("No pair speaks against the candidate.")
                            : tableHtml(findingsTable(options, findings, kMostRows), "failures");
-  body += "<h2 id=\"methods\">Methods</h2>\n" + paragraph(methodText(options, result)) + facts;
+  body += "<h2 id=\"methods\">Methods</h2>\n" + paragraph(gateMethodText(options, result)) + facts;
   const std::string lead = options.candidate.text + " compared with " + options.base.text + ".";
   const std::string links =
       "<a href=\"#metrics\">Metrics</a> <a href=\"#pairs\">Pairs</a> "
@@ -128,13 +129,13 @@ std::string htmlOf(const app::GateOptions& options, const app::GateResult& resul
       false);
 }
 
-std::string markdownOf(const app::GateOptions& options, const app::GateResult& result,
-                       const std::vector<GateFinding>& findings, const std::string& headline) {
+std::string gateMarkdown(const app::GateOptions& options, const app::GateResult& result,
+                         const std::vector<GateFinding>& findings, const std::string& headline) {
   constexpr std::size_t kMostRows = 10;
   Table table = gateTable(result);
   table.caption = headline;
   std::string text = tableMarkdown(table) + "\n";
-  for (const std::string& remark : remarksOf(options, result)) {
+  for (const std::string& remark : gateRemarks(options, result)) {
     text += "> " + remark + "\n\n";
   }
   if (!findings.empty()) {
@@ -147,7 +148,7 @@ std::string markdownOf(const app::GateOptions& options, const app::GateResult& r
     }
     text += "```\n\n</details>\n\n";
   }
-  return text + methodText(options, result) + "\n";
+  return text + gateMethodText(options, result) + "\n";
 }
 
 /// A child element of a test case that is not passed; empty if it is.
@@ -179,8 +180,8 @@ std::string junitOutcome(const app::GateOptions& options, const GateMetricResult
                  escaped(details.empty() ? message : details));
 }
 
-std::string junitOf(const app::GateOptions& options, const app::GateResult& result,
-                    const std::vector<GateFinding>& findings, const std::string& headline) {
+std::string gateJUnit(const app::GateOptions& options, const app::GateResult& result,
+                      const std::vector<GateFinding>& findings, const std::string& headline) {
   std::size_t failures = 0, errors = 0, skipped = 0;
   std::string cases;
   for (const GateMetricResult& each : result.metrics) {
@@ -207,31 +208,31 @@ std::string junitOf(const app::GateOptions& options, const app::GateResult& resu
          "\n";
 }
 
-GateJson numberJson(double value) {
+GateJson gateNumberJson(double value) {
   return std::isfinite(value) ? GateJson(value) : GateJson();
 }
 
-GateJson metricJson(const GateMetricResult& each) {
+GateJson gateMetricJson(const GateMetricResult& each) {
   const GateDifference difference = gateDifference(each);
   const bool isRate = each.metric.scale == app::GateMetric::Scale::Rate;
   return {{"metric", each.metric.label()},
           {"verdict", app::gateVerdictName(each.verdict)},
           {"measured", each.defined > 0},
           {"pairs", each.pairs},
-          {"base", numberJson(each.baseMean)},
-          {"candidate", numberJson(each.candidateMean)},
+          {"base", gateNumberJson(each.baseMean)},
+          {"candidate", gateNumberJson(each.candidateMean)},
           {"unit", isRate ? "share" : each.metric.unit},
           {"difference",
-           {{"mean", numberJson(difference.mean)},
-            {"low", numberJson(difference.interval.low)},
-            {"high", numberJson(difference.interval.high)},
+           {{"mean", gateNumberJson(difference.mean)},
+            {"low", gateNumberJson(difference.interval.low)},
+            {"high", gateNumberJson(difference.interval.high)},
             {"margin", difference.margin},
             {"unit", difference.unit}}}};
 }
 
-std::string jsonOf(const app::GateOptions& options, const app::GateResult& result,
-                   const std::vector<GateFinding>& findings,
-                   const std::vector<app::InputHash>& inputs) {
+std::string gateJson(const app::GateOptions& options, const app::GateResult& result,
+                     const std::vector<GateFinding>& findings,
+                     const std::vector<app::InputHash>& inputs) {
   GateJson json = {{"verdict", app::gateVerdictName(result.verdict)},
                    {"base", options.base.text},
                    {"candidate", options.candidate.text},
@@ -245,9 +246,9 @@ std::string jsonOf(const app::GateOptions& options, const app::GateResult& resul
     json["scenarios"].push_back(scenario.name);
   }
   for (const GateMetricResult& each : result.metrics) {
-    json["metrics"].push_back(metricJson(each));
+    json["metrics"].push_back(gateMetricJson(each));
   }
-  json["remarks"] = remarksOf(options, result);
+  json["remarks"] = gateRemarks(options, result);
   for (const GateFinding& finding : findings) {
     json["findings"].push_back({{"scenario", options.scenarios[finding.pair->scenario].name},
                                 {"seed", finding.pair->seed},
@@ -268,11 +269,12 @@ GateReport makeGateReport(const app::GateOptions& options, const app::GateResult
                           const std::vector<app::InputHash>& inputs) {
   const std::vector<GateFinding> findings = gateFindings(options, result);
   GateReport report;
-  report.headline = headlineOf(options, result);
-  report.html = htmlOf(options, result, findings, report.headline, factsMarkup(command, inputs));
-  report.markdown = markdownOf(options, result, findings, report.headline);
-  report.junit = junitOf(options, result, findings, report.headline);
-  report.json = jsonOf(options, result, findings, inputs);
+  report.headline = gateHeadline(options, result);
+  report.html =
+      gateHtml(options, result, findings, report.headline, gateFactsMarkup(command, inputs));
+  report.markdown = gateMarkdown(options, result, findings, report.headline);
+  report.junit = gateJUnit(options, result, findings, report.headline);
+  report.json = gateJson(options, result, findings, inputs);
   return report;
 }
 

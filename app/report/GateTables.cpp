@@ -32,7 +32,7 @@ double differenceOf(const GateMetric& metric, double gain) {
 }
 
 /// A value of a metric: "93 %", "21.40".
-std::string valueText(const GateMetric& metric, double value, int decimals) {
+std::string gateValueText(const GateMetric& metric, double value, int decimals) {
   return metric.scale == GateScale::Rate && !std::isnan(value) ? numberText(100.0 * value, 1) + " %"
                                                                : numberText(value, decimals);
 }
@@ -45,8 +45,8 @@ std::string unitSuffix(const std::string& unit) {
   return unit.empty() || unit == "-" ? std::string() : " " + unit;
 }
 
-std::string playCommand(const app::GateOptions& options, const app::GatePair& pair,
-                        bool candidate) {
+std::string gatePlayCommand(const app::GateOptions& options, const app::GatePair& pair,
+                            bool candidate) {
   const app::RunRequest request = app::gateRequest(options, pair.scenario, pair.seed, candidate);
   app::RunSpec spec = request.spec;
   spec.scenario = request.scenario;
@@ -56,7 +56,7 @@ std::string playCommand(const app::GateOptions& options, const app::GatePair& pa
   return shellText(words);
 }
 
-std::string outcomeOf(const app::ResultRow& row) {
+std::string outcomeOfRow(const app::ResultRow& row) {
   return app::outcomeText(row.ok, row.reason, [&row](const char* key) {
     return app::numberOf(row, key).value_or(statistics::kUndefined);
   });
@@ -64,8 +64,8 @@ std::string outcomeOf(const app::ResultRow& row) {
 
 GateFinding findingOf(const app::GateOptions& options, const app::GatePair& pair,
                       std::string what) {
-  return {&pair, std::move(what), playCommand(options, pair, true),
-          playCommand(options, pair, false)};
+  return {&pair, std::move(what), gatePlayCommand(options, pair, true),
+          gatePlayCommand(options, pair, false)};
 }
 
 /// The pairs with the largest losses by a metric.
@@ -86,7 +86,7 @@ std::vector<GateFinding> lossesBy(const app::GateOptions& options, const app::Ga
   for (const auto& [gain, pair] : losses) {
     const app::GateGain values = app::gainOf(metric, pair->base, pair->candidate);
     const auto text = [&metric](const std::optional<double>& value) {
-      return value ? valueText(metric, *value, decimalsFor(*value)) : std::string("no value");
+      return value ? gateValueText(metric, *value, decimalsFor(*value)) : std::string("no value");
     };
     findings.push_back(
         findingOf(options, *pair,
@@ -142,8 +142,8 @@ Table gateTable(const app::GateResult& result) {
     Table::Cell verdict{isMeasured ? app::gateVerdictName(each.verdict) : "not measured"};
     verdict.bold = each.verdict == GateVerdict::Worse;
     table.rows.push_back({{each.metric.title()},
-                          {valueText(each.metric, each.baseMean, places)},
-                          {valueText(each.metric, each.candidateMean, places)},
+                          {gateValueText(each.metric, each.baseMean, places)},
+                          {gateValueText(each.metric, each.candidateMean, places)},
                           std::move(change),
                           {marginText(each.metric)},
                           std::move(verdict),
@@ -195,7 +195,7 @@ std::vector<GateFinding> gateFindings(const app::GateOptions& options,
   std::vector<GateFinding> findings;
   for (const app::GatePair& pair : result.pairs) {
     if (app::isUnsuccessful(pair.candidate) && !app::isUnsuccessful(pair.base)) {
-      findings.push_back(findingOf(options, pair, outcomeOf(pair.candidate)));
+      findings.push_back(findingOf(options, pair, outcomeOfRow(pair.candidate)));
     }
   }
   const auto isKnown = [&findings](const GateFinding& finding) {

@@ -20,7 +20,7 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = GateSide::Kind;
+using SideKind = GateSide::Kind;
 
 bool isFile(const std::string& path) {
   std::error_code ignored;
@@ -69,7 +69,7 @@ base::Result<GateSide> sideOfFolder(GateSide side) {
     problems.push_back(base::error("gate.no-scenarios-in-folder", {}, side.text));
   }
   std::sort(side.scenarios.begin(), side.scenarios.end());
-  side.kind = Kind::Scenarios;
+  side.kind = SideKind::Scenarios;
   return base::resultOf(std::move(side), std::move(problems));
 }
 
@@ -77,15 +77,15 @@ base::Result<GateSide> sideOfFile(GateSide side) {
   const fs::path path(side.text);
   side.value = absolutePath(side.text);
   if (path.extension() == ".xml") {
-    side.kind = Kind::Nav2Tree;
+    side.kind = SideKind::Nav2Tree;
   } else if (path.extension() == ".so") {
-    side.kind = Kind::Library;
+    side.kind = SideKind::Library;
   } else if (isYaml(path)) {
     const base::Result<bool> isScenario = isScenarioFile(side.text);
     if (!isScenario) {
       return isScenario.diagnostics();
     }
-    side.kind = *isScenario ? Kind::Scenarios : Kind::Nav2Params;
+    side.kind = *isScenario ? SideKind::Scenarios : SideKind::Nav2Params;
     if (*isScenario) {
       side.scenarios.emplace_back(path.stem().string(), side.value);
     }
@@ -94,7 +94,7 @@ base::Result<GateSide> sideOfFile(GateSide side) {
     if (!program) {
       return program.diagnostics();
     }
-    side.kind = Kind::Program;
+    side.kind = SideKind::Program;
     side.value = "\"" + side.value + "\"";
   }
   return side;
@@ -149,17 +149,17 @@ base::Result<GateSide> gateSideOf(const std::string& text) {
   const RunOption::Names planners = knownPlanners();
   const std::string shipped = scenarioFile(text);
   if (std::find(planners.begin(), planners.end(), text) != planners.end()) {
-    side.kind = Kind::Planner;
+    side.kind = SideKind::Planner;
   } else if (sim2d::nav2::parameterOverride(text) || isShippedNav2File(text)) {
-    side.kind = Kind::Nav2Params;
+    side.kind = SideKind::Nav2Params;
   } else if (shipped != text) {
-    side.kind = Kind::Scenarios;
+    side.kind = SideKind::Scenarios;
     side.scenarios.emplace_back(text, shipped);
   } else if (const std::optional<std::string> command = commandOf(text)) {
-    side.kind = Kind::Program;
+    side.kind = SideKind::Program;
     side.value = *command;
   } else if (text.find('=') != std::string::npos && text.front() != '=') {
-    side.kind = Kind::Value;
+    side.kind = SideKind::Value;
   } else {
     return base::error("gate.unknown-side", {text, base::nearestName(text, planners)});
   }
@@ -220,8 +220,8 @@ base::Result<std::vector<GateScenario>> selectedScenarios(std::vector<GateScenar
 base::Result<std::vector<GateScenario>> gateScenarios(const GateSide& base,
                                                       const GateSide& candidate,
                                                       const std::vector<std::string>& named) {
-  const bool hasBase = base.kind == Kind::Scenarios;
-  if (hasBase != (candidate.kind == Kind::Scenarios)) {
+  const bool hasBase = base.kind == SideKind::Scenarios;
+  if (hasBase != (candidate.kind == SideKind::Scenarios)) {
     return base::error("gate.mixed", {hasBase ? candidate.text : base.text});
   }
   if (hasBase) {
@@ -245,30 +245,30 @@ base::Result<std::vector<GateScenario>> gateScenarios(const GateSide& base,
 
 RunSpec specOfSide(const GateSide& side, RunSpec common, const std::string& scenario) {
   switch (side.kind) {
-    case Kind::Planner:
+    case SideKind::Planner:
       common.planner = side.value;
       break;
-    case Kind::Nav2Params:
+    case SideKind::Nav2Params:
       common.planner = common.planner.value_or("nav2");
       common.nav2Params.push_back(side.value);
       break;
-    case Kind::Nav2Tree:
+    case SideKind::Nav2Tree:
       common.planner = common.planner.value_or("nav2");
       common.nav2Tree = side.value;
       break;
-    case Kind::Program:
+    case SideKind::Program:
       common.planner = sim2d::kExternalPlanner;
       common.set.push_back(firstRobotOf(scenario) + ".command=" + quotedYaml(side.value));
       break;
-    case Kind::Library:
+    case SideKind::Library:
       common.planner = sim2d::kLibraryPlanner;
       common.set.push_back(firstRobotOf(scenario) +
                            ".planner_parameters.file=" + quotedYaml(side.value));
       break;
-    case Kind::Value:
+    case SideKind::Value:
       common.set.push_back(side.value);
       break;
-    case Kind::Scenarios:
+    case SideKind::Scenarios:
       break;
   }
   return common;
