@@ -56,6 +56,3833 @@
     </message>
 </context>
 <context>
+    <name>Core</name>
+    <message>
+        <source>Yaml base name</source>
+        <translation>Nombre base YAML</translation>
+    </message>
+    <message>
+        <source>Base name of the file; part of the names of tree files</source>
+        <translation>Nombre base del archivo; parte de los nombres de los archivos de árbol</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>Simulador</translation>
+    </message>
+    <message>
+        <source>Simulator in which HuNavSim runs the file</source>
+        <translation>Simulador en el que HuNavSim ejecuta el archivo</translation>
+    </message>
+    <message>
+        <source>Map name</source>
+        <translation>Nombre del mapa</translation>
+    </message>
+    <message>
+        <source>Name of the map, without folder and extension</source>
+        <translation>Nombre del mapa, sin carpeta ni extensión</translation>
+    </message>
+    <message>
+        <source>ROS topics</source>
+        <translation>Topics de ROS</translation>
+    </message>
+    <message>
+        <source>Publish people on ROS topics</source>
+        <translation>Publicar las personas en topics de ROS</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Id of the person; part of the name of the tree file</source>
+        <translation>Id de la persona; parte del nombre del archivo de árbol</translation>
+    </message>
+    <message>
+        <source>Walks with</source>
+        <translation>Camina con</translation>
+    </message>
+    <message>
+        <source>Group number; people of one group stay together; -1: no group</source>
+        <translation>Número de grupo; las personas de un grupo permanecen juntas; -1: sin grupo</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Figura</translation>
+    </message>
+    <message>
+        <source>Appearance of the person in the simulator</source>
+        <translation>Aspecto de la persona en el simulador</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Vel. máxima</translation>
+    </message>
+    <message>
+        <source>Desired walking speed</source>
+        <translation>Velocidad de marcha deseada</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>Radius of the circular body; with the model das it is 0.20 m, except for wheelchairs</source>
+        <translation>Radio del cuerpo circular; con el modelo das es 0.20 m, excepto en sillas de ruedas</translation>
+    </message>
+    <message>
+        <source>Arrival radius</source>
+        <translation>Radio de llegada</translation>
+    </message>
+    <message>
+        <source>Distance within which a goal is reached; 0 counts as 0.1</source>
+        <translation>Distancia a la que se alcanza un objetivo; 0 cuenta como 0.1</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Repetir</translation>
+    </message>
+    <message>
+        <source>Restart the route after the last goal</source>
+        <translation>Reiniciar la ruta tras el último objetivo</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Conducta</translation>
+    </message>
+    <message>
+        <source>How the person reacts to the robot</source>
+        <translation>Cómo reacciona la persona ante el robot</translation>
+    </message>
+    <message>
+        <source>Sees within</source>
+        <translation>Ve hasta</translation>
+    </message>
+    <message>
+        <source>Distance within which the person notices the robot</source>
+        <translation>Distancia a la que la persona percibe el robot</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>Dura</translation>
+    </message>
+    <message>
+        <source>Duration of the reaction</source>
+        <translation>Duración de la reacción</translation>
+    </message>
+    <message>
+        <source>Only once</source>
+        <translation>Solo una vez</translation>
+    </message>
+    <message>
+        <source>React only once</source>
+        <translation>Reaccionar solo una vez</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Speed during the reaction; absent: `max_vel`, or 2.0 if that is absent too</source>
+        <translation>Velocidad durante la reacción; si falta: `max_vel`, o 2.0 si esa también falta</translation>
+    </message>
+    <message>
+        <source>Keeps away</source>
+        <translation>Se aleja a</translation>
+    </message>
+    <message>
+        <source>Distance to which the person retreats from the robot</source>
+        <translation>Distancia a la que la persona se retira del robot</translation>
+    </message>
+    <message>
+        <source>Stops at</source>
+        <translation>Se detiene a</translation>
+    </message>
+    <message>
+        <source>Distance to the robot at which the person stops</source>
+        <translation>Distancia al robot a la que la persona se detiene</translation>
+    </message>
+    <message>
+        <source>Blocks at</source>
+        <translation>Bloquea a</translation>
+    </message>
+    <message>
+        <source>Distance in front of the robot at which the person stands</source>
+        <translation>Distancia delante del robot a la que se coloca la persona</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensidad</translation>
+    </message>
+    <message>
+        <source>Source of the force factors, see below</source>
+        <translation>Origen de los factores de fuerza, véase abajo</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Factor of the attractive force of the goal</source>
+        <translation>Factor de la fuerza de atracción del objetivo</translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>Obstáculos</translation>
+    </message>
+    <message>
+        <source>Factor of the repulsive force of walls and obstacles</source>
+        <translation>Factor de la fuerza de repulsión de paredes y obstáculos</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personas</translation>
+    </message>
+    <message>
+        <source>Factor of the repulsive force of other people</source>
+        <translation>Factor de la fuerza de repulsión de otras personas</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Factor of the repulsive force of the robot while scared; never drawn</source>
+        <translation>Factor de la fuerza de repulsión del robot durante el susto; nunca aleatorio</translation>
+    </message>
+    <message>
+        <source>Enters at</source>
+        <translation>Entra a los</translation>
+    </message>
+    <message>
+        <source>Time at which the person enters the world</source>
+        <translation>Tiempo en que la persona entra en el mundo</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>Body type; determines the mass and the symbol on the map</source>
+        <translation>Tipo de cuerpo; determina la masa y el símbolo en el mapa</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masa</translation>
+    </message>
+    <message>
+        <source>Mass of the body; absent: 80, 32, 75, 100, 100 by kind</source>
+        <translation>Masa del cuerpo; si falta: 80, 32, 75, 100, 100 según el tipo</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Pedestrian model; absent: that of the scenario</source>
+        <translation>Modelo de peatones; si falta: el del escenario</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>Rutas</translation>
+    </message>
+    <message>
+        <source>Paths planned around walls, or straight lines; absent: as in the scenario</source>
+        <translation>Caminos planificados alrededor de las paredes, o líneas rectas; si falta: como en el escenario</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Al final</translation>
+    </message>
+    <message>
+        <source>What the person does after the last goal of a route that does not repeat</source>
+        <translation>Qué hace la persona tras el último objetivo de una ruta que no se repite</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>Esperas</translation>
+    </message>
+    <message>
+        <source>Waiting time at each goal of the route</source>
+        <translation>Tiempo de espera en cada objetivo de la ruta</translation>
+    </message>
+    <message>
+        <source>Tree file</source>
+        <translation>Archivo de árbol</translation>
+    </message>
+    <message>
+        <source>Behaviour tree file, relative to the scenario; several people may use the same one</source>
+        <translation>Archivo de árbol de comportamiento, relativo al escenario; varias personas pueden usar el mismo</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Robot type</source>
+        <translation>Tipo de robot</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>Planificador</translation>
+    </message>
+    <message>
+        <source>Planner that drives the robot to its goals</source>
+        <translation>Planificador que lleva el robot a sus objetivos</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Planner external: the planner program with its arguments, or unix:PATH of a socket; runs only with --allow-code</source>
+        <translation>Planificador external: el programa con sus argumentos, o unix:RUTA de un socket; solo se ejecuta con --allow-code</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Parameters of the planner: name and value of each</source>
+        <translation>Parámetros del planificador: nombre y valor de cada uno</translation>
+    </message>
+    <message>
+        <source>Nav2 parameters</source>
+        <translation>Parámetros Nav2</translation>
+    </message>
+    <message>
+        <source>Planner nav2: the parameter file (`nav2_params.yaml`) or the name of a shipped one; a list: several files, of which later ones override earlier ones, and single values in ROS 2 syntax (`FollowPath.max_vel_x:=0.3`)</source>
+        <translation>Planificador nav2: el archivo de parámetros (`nav2_params.yaml`) o el nombre de uno incluido; una lista: varios archivos, de los que los posteriores tienen prioridad, y valores sueltos en la sintaxis de ROS 2 (`FollowPath.max_vel_x:=0.3`)</translation>
+    </message>
+    <message>
+        <source>Nav2 tree</source>
+        <translation>Árbol de Nav2</translation>
+    </message>
+    <message>
+        <source>Planner nav2: the navigator&apos;s behaviour tree file or the name of a shipped one</source>
+        <translation>Planificador nav2: el archivo de árbol del navegador o el nombre de uno incluido</translation>
+    </message>
+    <message>
+        <source>Nav2 branch</source>
+        <translation>Rama de Nav2</translation>
+    </message>
+    <message>
+        <source>Planner nav2: Nav2 branch whose defaults and algorithms are used; absent: detected from the parameter file</source>
+        <translation>Planificador nav2: rama de Nav2 cuyos valores y algoritmos se usan; si falta: se detecta en el archivo de parámetros</translation>
+    </message>
+    <message>
+        <source>Nav2 topics</source>
+        <translation>Topics de Nav2</translation>
+    </message>
+    <message>
+        <source>Planner nav2: topic messages and service calls, separated by `;`, each with a time [s], a name and the message: `12 controller_selector FollowPath2; 20 /pause`</source>
+        <translation>Planificador nav2: mensajes de topics y llamadas a servicios, separados por `;`, cada uno con un tiempo [s], un nombre y el mensaje: `12 controller_selector FollowPath2; 20 /pause`</translation>
+    </message>
+    <message>
+        <source>Nav2 values</source>
+        <translation>Valores de Nav2</translation>
+    </message>
+    <message>
+        <source>Planner nav2: values that override those of the parameter file, by node and name</source>
+        <translation>Planificador nav2: valores que sustituyen a los del archivo de parámetros, por nodo y nombre</translation>
+    </message>
+    <message>
+        <source>Body from Nav2</source>
+        <translation>Cuerpo de Nav2</translation>
+    </message>
+    <message>
+        <source>Planner nav2: true: radius or footprint are read from local_costmap in the parameter files</source>
+        <translation>Planificador nav2: true: el radio o el contorno se leen de local_costmap en los archivos de parámetros</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Start pose: `x`, `y` and heading `h`</source>
+        <translation>Pose inicial: `x`, `y` y orientación `h`</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Goal position: `x` and `y`</source>
+        <translation>Posición del objetivo: `x` e `y`</translation>
+    </message>
+    <message>
+        <source>Or route</source>
+        <translation>O ruta</translation>
+    </message>
+    <message>
+        <source>Numbers of global goals in order, instead of `goal`</source>
+        <translation>Números de objetivos globales en orden, en lugar de `goal`</translation>
+    </message>
+    <message>
+        <source>Distance within which a goal is reached; with `nav2` the navigator decides</source>
+        <translation>Distancia a la que se alcanza un objetivo; con `nav2` decide el navegador</translation>
+    </message>
+    <message>
+        <source>Starts at</source>
+        <translation>Empieza a los</translation>
+    </message>
+    <message>
+        <source>Time at which the robot starts</source>
+        <translation>Tiempo en que empieza el robot</translation>
+    </message>
+    <message>
+        <source>Radius of the robot&apos;s circular body</source>
+        <translation>Radio del cuerpo circular del robot</translation>
+    </message>
+    <message>
+        <source>Mass of the robot</source>
+        <translation>Masa del robot</translation>
+    </message>
+    <message>
+        <source>Maximum speed</source>
+        <translation>Velocidad máxima</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration</source>
+        <translation>Aceleración máxima</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Vel. de giro</translation>
+    </message>
+    <message>
+        <source>Maximum turn rate</source>
+        <translation>Velocidad de giro máxima</translation>
+    </message>
+    <message>
+        <source>Turn accel.</source>
+        <translation>Acel. de giro</translation>
+    </message>
+    <message>
+        <source>Maximum angular acceleration</source>
+        <translation>Aceleración angular máxima</translation>
+    </message>
+    <message>
+        <source>Footprint</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>X coordinates of the footprint&apos;s corners in the robot&apos;s frame; replaces the circular body</source>
+        <translation>Coordenadas X de los vértices del contorno en el sistema del robot; sustituye al cuerpo circular</translation>
+    </message>
+    <message>
+        <source>Footprint y</source>
+        <translation>Contorno y</translation>
+    </message>
+    <message>
+        <source>Y coordinates of these corners, as many as `footprint_x`</source>
+        <translation>Coordenadas Y de estos vértices, tantas como `footprint_x`</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Tracción</translation>
+    </message>
+    <message>
+        <source>Kinematics of the drive</source>
+        <translation>Cinemática de la tracción</translation>
+    </message>
+    <message>
+        <source>Turning radius</source>
+        <translation>Radio de giro</translation>
+    </message>
+    <message>
+        <source>Minimum turning radius of a robot with Ackermann steering</source>
+        <translation>Radio de giro mínimo de un robot con dirección Ackermann</translation>
+    </message>
+    <message>
+        <source>Lidar</source>
+        <translation>Lidar</translation>
+    </message>
+    <message>
+        <source>Lidar of the robot, keys below; absent: that of the robot type</source>
+        <translation>Lidar del robot, claves abajo; si falta: el del tipo de robot</translation>
+    </message>
+    <message>
+        <source>Detector</source>
+        <translation>Detector</translation>
+    </message>
+    <message>
+        <source>Detection of people and other robots, keys below</source>
+        <translation>Detección de personas y otros robots, claves abajo</translation>
+    </message>
+    <message>
+        <source>Odometry noise</source>
+        <translation>Ruido odométrico</translation>
+    </message>
+    <message>
+        <source>Odometry errors, which accumulate; absent: none</source>
+        <translation>Errores de odometría, que se acumulan; si falta: ninguno</translation>
+    </message>
+    <message>
+        <source>Localization</source>
+        <translation>Localización</translation>
+    </message>
+    <message>
+        <source>Errors and corrections of the localization (AMCL); absent: none</source>
+        <translation>Errores y correcciones de la localización (AMCL); si falta: ninguno</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>Batería</translation>
+    </message>
+    <message>
+        <source>Battery of the robot; absent: it never runs low</source>
+        <translation>Batería del robot; si falta: nunca se agota</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Haces</translation>
+    </message>
+    <message>
+        <source>Number of beams per scan; 0: no lidar; absent, here and below: that of the robot type</source>
+        <translation>Número de haces por barrido; 0: sin lidar; si falta, aquí y abajo: el del tipo de robot</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>Maximum range</source>
+        <translation>Alcance máximo</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source>Scans per second</source>
+        <translation>Barridos por segundo</translation>
+    </message>
+    <message>
+        <source>Angle min</source>
+        <translation>Ángulo mín.</translation>
+    </message>
+    <message>
+        <source>Angle of the first beam</source>
+        <translation>Ángulo del primer haz</translation>
+    </message>
+    <message>
+        <source>Angle max</source>
+        <translation>Ángulo máx.</translation>
+    </message>
+    <message>
+        <source>Angle of the last beam; if it is a full turn after the first, the beams are spaced evenly</source>
+        <translation>Ángulo del último haz; si es una vuelta completa después del primero, los haces se reparten por igual</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Position in the robot&apos;s frame: forward</source>
+        <translation>Posición en el sistema del robot: hacia delante</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Position in the robot&apos;s frame: to the left</source>
+        <translation>Posición en el sistema del robot: hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Orientation in the robot&apos;s frame</source>
+        <translation>Orientación en el sistema del robot</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Ruido</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured distance</source>
+        <translation>Desviación típica de una distancia medida</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Piernas</translation>
+    </message>
+    <message>
+        <source>The lidar sees people as two legs, else as discs</source>
+        <translation>El lidar ve a las personas como dos piernas; si no, como discos</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Registrar</translation>
+    </message>
+    <message>
+        <source>Write each scan to `scans.csv`</source>
+        <translation>Escribir cada barrido en `scans.csv`</translation>
+    </message>
+    <message>
+        <source>People perception</source>
+        <translation>Percepción de personas</translation>
+    </message>
+    <message>
+        <source>Detections of the sensors, or the exact state of all bodies everywhere, which ignores the keys below</source>
+        <translation>Detecciones de los sensores, o el estado exacto de todos los cuerpos en todas partes, que ignora las claves de abajo</translation>
+    </message>
+    <message>
+        <source>Maximum distance of a detected body&apos;s centre</source>
+        <translation>Distancia máxima del centro de un cuerpo detectado</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Campo</translation>
+    </message>
+    <message>
+        <source>Field of view, half of it to either side</source>
+        <translation>Campo de visión, la mitad a cada lado</translation>
+    </message>
+    <message>
+        <source>Detections per second; 0: one per time step</source>
+        <translation>Detecciones por segundo; 0: una por paso</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latencia</translation>
+    </message>
+    <message>
+        <source>Delay between detection and planner</source>
+        <translation>Retardo entre la detección y el planificador</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each coordinate</source>
+        <translation>Desviación típica de cada coordenada</translation>
+    </message>
+    <message>
+        <source>Misses</source>
+        <translation>Pérdidas</translation>
+    </message>
+    <message>
+        <source>Probability per detection of missing a visible body</source>
+        <translation>Probabilidad por detección de no ver un cuerpo visible</translation>
+    </message>
+    <message>
+        <source>Swaps</source>
+        <translation>Intercambios</translation>
+    </message>
+    <message>
+        <source>Probability per detection of exchanging the ids of two people who are close</source>
+        <translation>Probabilidad por detección de intercambiar los ids de dos personas cercanas</translation>
+    </message>
+    <message>
+        <source>Swap distance</source>
+        <translation>Dist. intercambio</translation>
+    </message>
+    <message>
+        <source>Distance below which the ids of two people may be exchanged</source>
+        <translation>Distancia por debajo de la cual se pueden intercambiar los ids de dos personas</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Oclusión</translation>
+    </message>
+    <message>
+        <source>Walls and other bodies occlude</source>
+        <translation>Las paredes y otros cuerpos ocultan</translation>
+    </message>
+    <message>
+        <source>Hidden share</source>
+        <translation>Parte oculta</translation>
+    </message>
+    <message>
+        <source>A body of which others occlude more than this share is not detected</source>
+        <translation>Un cuerpo del que otros ocultan más de esta parte no se detecta</translation>
+    </message>
+    <message>
+        <source>Coast time</source>
+        <translation>T. sin detección</translation>
+    </message>
+    <message>
+        <source>A track without detection is deleted after this time; until then it is extrapolated with constant velocity</source>
+        <translation>Una pista sin detección se borra tras este tiempo; hasta entonces se extrapola con velocidad constante</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Velocidades</translation>
+    </message>
+    <message>
+        <source>Measured, or estimated from positions by a Kalman filter; absent: `filtered` with `noise`, else `measured`</source>
+        <translation>Medidas, o estimadas de las posiciones con un filtro de Kalman; si falta: `filtered` con `noise`, si no `measured`</translation>
+    </message>
+    <message>
+        <source>Acceleration noise</source>
+        <translation>Ruido de acel.</translation>
+    </message>
+    <message>
+        <source>Kalman filter: power of the acceleration noise of people</source>
+        <translation>Filtro de Kalman: potencia del ruido de aceleración de las personas</translation>
+    </message>
+    <message>
+        <source>Alpha1</source>
+        <translation>Alfa 1</translation>
+    </message>
+    <message>
+        <source>Variance of the heading caused by rotation</source>
+        <translation>Varianza de la orientación causada por la rotación</translation>
+    </message>
+    <message>
+        <source>Alpha2</source>
+        <translation>Alfa 2</translation>
+    </message>
+    <message>
+        <source>Variance of the heading caused by translation</source>
+        <translation>Varianza de la orientación causada por la traslación</translation>
+    </message>
+    <message>
+        <source>Alpha3</source>
+        <translation>Alfa 3</translation>
+    </message>
+    <message>
+        <source>Variance of the distance caused by translation</source>
+        <translation>Varianza de la distancia causada por la traslación</translation>
+    </message>
+    <message>
+        <source>Alpha4</source>
+        <translation>Alfa 4</translation>
+    </message>
+    <message>
+        <source>Variance of the distance caused by rotation</source>
+        <translation>Varianza de la distancia causada por la rotación</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Deriva</translation>
+    </message>
+    <message>
+        <source>Rotation per metre driven forward that odometry does not measure</source>
+        <translation>Rotación por metro avanzado que la odometría no mide</translation>
+    </message>
+    <message>
+        <source>Std x</source>
+        <translation>Desv. x</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error in x, in the map</source>
+        <translation>Desviación típica del error en x, en el mapa</translation>
+    </message>
+    <message>
+        <source>Std y</source>
+        <translation>Desv. y</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error in y, in the map</source>
+        <translation>Desviación típica del error en y, en el mapa</translation>
+    </message>
+    <message>
+        <source>Std yaw</source>
+        <translation>Desv. orient.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the heading</source>
+        <translation>Desviación típica del error de la orientación</translation>
+    </message>
+    <message>
+        <source>Correlation time</source>
+        <translation>T. correlación</translation>
+    </message>
+    <message>
+        <source>Time constant of the errors; 0: corrections are independent</source>
+        <translation>Constante de tiempo de los errores; 0: las correcciones son independientes</translation>
+    </message>
+    <message>
+        <source>Jump rate</source>
+        <translation>Tasa de saltos</translation>
+    </message>
+    <message>
+        <source>Mean number of jumps of the estimate per second</source>
+        <translation>Número medio de saltos de la estimación por segundo</translation>
+    </message>
+    <message>
+        <source>Jump distance</source>
+        <translation>Dist. de salto</translation>
+    </message>
+    <message>
+        <source>Length of a jump</source>
+        <translation>Longitud de un salto</translation>
+    </message>
+    <message>
+        <source>Jump yaw</source>
+        <translation>Giro de salto</translation>
+    </message>
+    <message>
+        <source>Rotation of a jump, in either direction</source>
+        <translation>Rotación de un salto, en cualquier sentido</translation>
+    </message>
+    <message>
+        <source>Corrections of map -&gt; odom per second; 0: only the first one; absent: 2 with an error, else 0</source>
+        <translation>Correcciones de map -&gt; odom por segundo; 0: solo la primera; si falta: 2 con un error, si no 0</translation>
+    </message>
+    <message>
+        <source>Start x</source>
+        <translation>Inicio x</translation>
+    </message>
+    <message>
+        <source>Error of the initial pose: x</source>
+        <translation>Error de la pose inicial: x</translation>
+    </message>
+    <message>
+        <source>Start y</source>
+        <translation>Inicio y</translation>
+    </message>
+    <message>
+        <source>Error of the initial pose: y</source>
+        <translation>Error de la pose inicial: y</translation>
+    </message>
+    <message>
+        <source>Start yaw</source>
+        <translation>Inicio orient.</translation>
+    </message>
+    <message>
+        <source>Error of the initial pose: heading</source>
+        <translation>Error de la pose inicial: orientación</translation>
+    </message>
+    <message>
+        <source>Initial pose time</source>
+        <translation>T. pose inicial</translation>
+    </message>
+    <message>
+        <source>Time of the initial pose; there is no frame map before</source>
+        <translation>Tiempo de la pose inicial; antes no existe el sistema map</translation>
+    </message>
+    <message>
+        <source>Global std</source>
+        <translation>Desv. global</translation>
+    </message>
+    <message>
+        <source>Standard deviation of x and y after a global localization</source>
+        <translation>Desviación típica de x e y tras una localización global</translation>
+    </message>
+    <message>
+        <source>Global std yaw</source>
+        <translation>Desv. global or.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the heading after a global localization</source>
+        <translation>Desviación típica de la orientación tras una localización global</translation>
+    </message>
+    <message>
+        <source>Capacity</source>
+        <translation>Capacidad</translation>
+    </message>
+    <message>
+        <source>Stored energy when full; absent: the battery never runs low</source>
+        <translation>Energía almacenada con carga completa; si falta: la batería nunca se agota</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>State of charge at the start</source>
+        <translation>Estado de carga al inicio</translation>
+    </message>
+    <message>
+        <source>Idle power</source>
+        <translation>Potencia parado</translation>
+    </message>
+    <message>
+        <source>Power consumption at standstill</source>
+        <translation>Consumo de potencia en reposo</translation>
+    </message>
+    <message>
+        <source>Motion power</source>
+        <translation>Pot. movimiento</translation>
+    </message>
+    <message>
+        <source>Additional power consumption at top speed or top turn rate; proportional below</source>
+        <translation>Consumo adicional a velocidad o giro máximos; proporcional por debajo</translation>
+    </message>
+    <message>
+        <source>Charge power</source>
+        <translation>Pot. de carga</translation>
+    </message>
+    <message>
+        <source>Charging power at a charging dock</source>
+        <translation>Potencia de carga en una base de carga</translation>
+    </message>
+    <message>
+        <source>Empty voltage</source>
+        <translation>Tensión vacía</translation>
+    </message>
+    <message>
+        <source>Voltage of the empty battery</source>
+        <translation>Tensión de la batería vacía</translation>
+    </message>
+    <message>
+        <source>Full voltage</source>
+        <translation>Tensión llena</translation>
+    </message>
+    <message>
+        <source>Voltage of the full battery; linear in between</source>
+        <translation>Tensión de la batería llena; lineal entre ambas</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Shape; each shape uses some of the other keys</source>
+        <translation>Forma; cada forma usa algunas de las otras claves</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Direction of `length`</source>
+        <translation>Dirección de `length`</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Size along the heading</source>
+        <translation>Tamaño a lo largo de la orientación</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Size across the heading</source>
+        <translation>Tamaño transversal a la orientación</translation>
+    </message>
+    <message>
+        <source>Radius of the circle</source>
+        <translation>Radio del círculo</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>X coordinates of the corners</source>
+        <translation>Coordenadas X de los vértices</translation>
+    </message>
+    <message>
+        <source>Ys</source>
+        <translation>Ys</translation>
+    </message>
+    <message>
+        <source>Y coordinates of the corners, as many as `xs`</source>
+        <translation>Coordenadas Y de los vértices, tantas como `xs`</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Grosor</translation>
+    </message>
+    <message>
+        <source>From X</source>
+        <translation>Desde X</translation>
+    </message>
+    <message>
+        <source>First end</source>
+        <translation>Primer extremo</translation>
+    </message>
+    <message>
+        <source>From Y</source>
+        <translation>Desde Y</translation>
+    </message>
+    <message>
+        <source>To X</source>
+        <translation>Hasta X</translation>
+    </message>
+    <message>
+        <source>Second end</source>
+        <translation>Segundo extremo</translation>
+    </message>
+    <message>
+        <source>To Y</source>
+        <translation>Hasta Y</translation>
+    </message>
+    <message>
+        <source>Open at start</source>
+        <translation>Abierta al inicio</translation>
+    </message>
+    <message>
+        <source>Whether the door is open at the start</source>
+        <translation>Si la puerta está abierta al inicio</translation>
+    </message>
+    <message>
+        <source>Toggles at</source>
+        <translation>Cambia a los</translation>
+    </message>
+    <message>
+        <source>Times at which the door opens or closes</source>
+        <translation>Tiempos en que la puerta se abre o se cierra</translation>
+    </message>
+    <message>
+        <source>Purpose of the area</source>
+        <translation>Finalidad del área</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Copia a</translation>
+    </message>
+    <message>
+        <source>Source: the person that is copied</source>
+        <translation>Fuente: la persona que se copia</translation>
+    </message>
+    <message>
+        <source>Source: people per second</source>
+        <translation>Fuente: personas por segundo</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>Source: people are spawned from this time on</source>
+        <translation>Fuente: las personas se generan a partir de este tiempo</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Source: no people are spawned after this time</source>
+        <translation>Fuente: después de este tiempo no se generan personas</translation>
+    </message>
+    <message>
+        <source>Max. people</source>
+        <translation>Máx. personas</translation>
+    </message>
+    <message>
+        <source>Source: maximum number of people</source>
+        <translation>Fuente: número máximo de personas</translation>
+    </message>
+    <message>
+        <source>Speed factor</source>
+        <translation>Factor de vel.</translation>
+    </message>
+    <message>
+        <source>Speed: factor of the walking speed of people inside</source>
+        <translation>Velocidad: factor de la velocidad de marcha de las personas que están dentro</translation>
+    </message>
+    <message>
+        <source>Carrying speed</source>
+        <translation>Vel. de arrastre</translation>
+    </message>
+    <message>
+        <source>Speed: speed with which people inside are carried, as by a travelator</source>
+        <translation>Velocidad: velocidad con que se transporta a las personas que están dentro, como en un pasillo rodante</translation>
+    </message>
+    <message>
+        <source>Carrying direction</source>
+        <translation>Dir. de arrastre</translation>
+    </message>
+    <message>
+        <source>Speed: direction in which they are carried</source>
+        <translation>Velocidad: dirección en que se las transporta</translation>
+    </message>
+    <message>
+        <source>Whether the dock charges robots</source>
+        <translation>Si la base carga robots</translation>
+    </message>
+    <message>
+        <source>Centre of a docked robot</source>
+        <translation>Centro de un robot acoplado</translation>
+    </message>
+    <message>
+        <source>Heading of a robot that docks forward</source>
+        <translation>Orientación de un robot que se acopla hacia delante</translation>
+    </message>
+    <message>
+        <source>Card</source>
+        <translation>Ficha</translation>
+    </message>
+    <message>
+        <source>Description of the scenario: what it tests, with its source</source>
+        <translation>Descripción del escenario: qué prueba, con su fuente</translation>
+    </message>
+    <message>
+        <source>Map file</source>
+        <translation>Archivo de mapa</translation>
+    </message>
+    <message>
+        <source>Map file, relative to the scenario; `none`: open plane; absent: the file of `map` is searched</source>
+        <translation>Archivo de mapa, relativo al escenario; `none`: plano abierto; si falta: se busca el archivo de `map`</translation>
+    </message>
+    <message>
+        <source>Map rule</source>
+        <translation>Regla del mapa</translation>
+    </message>
+    <message>
+        <source>Nav2 branch whose rule for grey pixels is used</source>
+        <translation>Rama de Nav2 cuya regla para píxeles grises se usa</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>Random seed; the same seed reproduces the run</source>
+        <translation>Semilla aleatoria; la misma semilla reproduce la ejecución</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s</source>
+        <translation>Límite de tiempo; si falta: la ejecución termina 1 s después de llegar el robot, como máximo a los 120 s</translation>
+    </message>
+    <message>
+        <source>End on contact</source>
+        <translation>Fin por contacto</translation>
+    </message>
+    <message>
+        <source>Contacts of a robot on its route that end the run; `any`: with people, robots or walls</source>
+        <translation>Contactos de un robot en su ruta que terminan la ejecución; `any`: con personas, robots o paredes</translation>
+    </message>
+    <message>
+        <source>Stuck after</source>
+        <translation>Atascado tras</translation>
+    </message>
+    <message>
+        <source>A robot is stuck if it makes no progress for this long; the run ends if no other robot makes progress; 0: never</source>
+        <translation>Un robot está atascado si no avanza durante este tiempo; la ejecución termina si ningún otro robot avanza; 0: nunca</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Paso de tiempo</translation>
+    </message>
+    <message>
+        <source>Record every</source>
+        <translation>Registrar cada</translation>
+    </message>
+    <message>
+        <source>Time steps from one recorded sample to the next</source>
+        <translation>Pasos entre una muestra registrada y la siguiente</translation>
+    </message>
+    <message>
+        <source>Pedestrian model, see `list models`</source>
+        <translation>Modelo de peatones, véase `list models`</translation>
+    </message>
+    <message>
+        <source>Model parameters</source>
+        <translation>Parám. del modelo</translation>
+    </message>
+    <message>
+        <source>Parameters of models, below the name of each, see `list models --format json`</source>
+        <translation>Parámetros de los modelos, bajo el nombre de cada uno, véase `list models --format json`</translation>
+    </message>
+    <message>
+        <source>Paths planned around walls, or straight lines as in HuNavSim</source>
+        <translation>Caminos planificados alrededor de las paredes, o líneas rectas como en HuNavSim</translation>
+    </message>
+    <message>
+        <source>Wall force from</source>
+        <translation>Fuerza de pared</translation>
+    </message>
+    <message>
+        <source>Wall forces from the nearest points of walls, or from the hits of rays as of a lidar</source>
+        <translation>Fuerzas de pared desde los puntos más cercanos de las paredes, o desde los impactos de rayos como los de un lidar</translation>
+    </message>
+    <message>
+        <source>Loop trees</source>
+        <translation>Árboles en bucle</translation>
+    </message>
+    <message>
+        <source>Restart a tree that has ended</source>
+        <translation>Reiniciar un árbol que ha terminado</translation>
+    </message>
+    <message>
+        <source>Corridor</source>
+        <translation>Pasillo</translation>
+    </message>
+    <message>
+        <source>Periodic corridor: people who pass the second x re-enter at the first</source>
+        <translation>Pasillo periódico: quienes pasan la segunda x vuelven a entrar por la primera</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>Names of groups by their numbers</source>
+        <translation>Nombres de los grupos por su número</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variación</translation>
+    </message>
+    <message>
+        <source>Variation of people between seeds</source>
+        <translation>Variación de las personas entre semillas</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Name of the scenario in lists</source>
+        <translation>Nombre del escenario en listas</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>Familia</translation>
+    </message>
+    <message>
+        <source>Group of scenarios that it belongs to</source>
+        <translation>Grupo de escenarios al que pertenece</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Finalidad</translation>
+    </message>
+    <message>
+        <source>What the scenario tests</source>
+        <translation>Qué prueba el escenario</translation>
+    </message>
+    <message>
+        <source>Task of the robot</source>
+        <translation>Tarea del robot</translation>
+    </message>
+    <message>
+        <source>What the robot has to do</source>
+        <translation>Qué debe hacer el robot</translation>
+    </message>
+    <message>
+        <source>What people do</source>
+        <translation>Qué hacen</translation>
+    </message>
+    <message>
+        <source>Expected outcome</source>
+        <translation>Resultado esperado</translation>
+    </message>
+    <message>
+        <source>What is expected of a good robot</source>
+        <translation>Qué se espera de un buen robot</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Métricas</translation>
+    </message>
+    <message>
+        <source>Keys of the metrics to read, see `list metrics`; the first one compares planners</source>
+        <translation>Claves de las métricas que leer, véase `list metrics`; la primera compara planificadores</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>Dificultad</translation>
+    </message>
+    <message>
+        <source>Difficulty for the robot</source>
+        <translation>Dificultad para el robot</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Fuente</translation>
+    </message>
+    <message>
+        <source>Publication or standard that it is from</source>
+        <translation>Publicación o norma de la que procede</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Licencia</translation>
+    </message>
+    <message>
+        <source>Licence of the scenario and its map</source>
+        <translation>Licencia del escenario y de su mapa</translation>
+    </message>
+    <message>
+        <source>Expected events</source>
+        <translation>Eventos esperados</translation>
+    </message>
+    <message>
+        <source>What happens in a run without robots, see below; `check --certify` tests it</source>
+        <translation>Qué ocurre en una ejecución sin robots, véase abajo; `check --certify` lo comprueba</translation>
+    </message>
+    <message>
+        <source>Amount of variation of people between seeds; keys of a quantity take precedence</source>
+        <translation>Grado de variación de las personas entre semillas; las claves de una magnitud tienen prioridad</translation>
+    </message>
+    <message>
+        <source>Start time: kind</source>
+        <translation>Hora inicio: tipo</translation>
+    </message>
+    <message>
+        <source>Added to the start time; absent: that of the preset</source>
+        <translation>Se suma al tiempo de inicio; si falta: el del valor preestablecido</translation>
+    </message>
+    <message>
+        <source>Start time: deviation</source>
+        <translation>Hora inicio: desv.</translation>
+    </message>
+    <message>
+        <source>Normal: standard deviation</source>
+        <translation>Normal: desviación típica</translation>
+    </message>
+    <message>
+        <source>Start time: half width</source>
+        <translation>Hora inicio: semianch.</translation>
+    </message>
+    <message>
+        <source>Uniform: half of the width</source>
+        <translation>Uniforme: mitad del ancho</translation>
+    </message>
+    <message>
+        <source>Start time: minimum</source>
+        <translation>Hora inicio: mínimo</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Límite inferior</translation>
+    </message>
+    <message>
+        <source>Start time: maximum</source>
+        <translation>Hora inicio: máximo</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Límite superior</translation>
+    </message>
+    <message>
+        <source>Start: kind</source>
+        <translation>Inicio: tipo</translation>
+    </message>
+    <message>
+        <source>Added to x and y of the start; absent: that of the preset</source>
+        <translation>Se suma a x e y del inicio; si falta: el del valor preestablecido</translation>
+    </message>
+    <message>
+        <source>Start: deviation</source>
+        <translation>Inicio: desviación</translation>
+    </message>
+    <message>
+        <source>Start: half width</source>
+        <translation>Inicio: semiancho</translation>
+    </message>
+    <message>
+        <source>Start: minimum</source>
+        <translation>Inicio: mínimo</translation>
+    </message>
+    <message>
+        <source>Start: maximum</source>
+        <translation>Inicio: máximo</translation>
+    </message>
+    <message>
+        <source>Heading: kind</source>
+        <translation>Orientación: tipo</translation>
+    </message>
+    <message>
+        <source>Added to the heading at the start; absent: that of the preset</source>
+        <translation>Se suma a la orientación al inicio; si falta: el del valor preestablecido</translation>
+    </message>
+    <message>
+        <source>Heading: deviation</source>
+        <translation>Orientación: desv.</translation>
+    </message>
+    <message>
+        <source>Heading: half width</source>
+        <translation>Orientación: semianch.</translation>
+    </message>
+    <message>
+        <source>Heading: minimum</source>
+        <translation>Orientación: mínimo</translation>
+    </message>
+    <message>
+        <source>Heading: maximum</source>
+        <translation>Orientación: máximo</translation>
+    </message>
+    <message>
+        <source>Speed: kind</source>
+        <translation>Velocidad: tipo</translation>
+    </message>
+    <message>
+        <source>Factor of max_vel; absent: that of the preset</source>
+        <translation>Factor de max_vel; si falta: el del valor preestablecido</translation>
+    </message>
+    <message>
+        <source>Speed: deviation</source>
+        <translation>Velocidad: desviación</translation>
+    </message>
+    <message>
+        <source>Speed: half width</source>
+        <translation>Velocidad: semiancho</translation>
+    </message>
+    <message>
+        <source>Speed: minimum</source>
+        <translation>Velocidad: mínimo</translation>
+    </message>
+    <message>
+        <source>Speed: maximum</source>
+        <translation>Velocidad: máximo</translation>
+    </message>
+    <message>
+        <source>Reaction time: kind</source>
+        <translation>Reacción: tipo</translation>
+    </message>
+    <message>
+        <source>Factor of the reaction time; absent: that of the preset</source>
+        <translation>Factor del tiempo de reacción; si falta: el del valor preestablecido</translation>
+    </message>
+    <message>
+        <source>Reaction time: deviation</source>
+        <translation>Reacción: desviación</translation>
+    </message>
+    <message>
+        <source>Reaction time: half width</source>
+        <translation>Reacción: semiancho</translation>
+    </message>
+    <message>
+        <source>Reaction time: minimum</source>
+        <translation>Reacción: mínimo</translation>
+    </message>
+    <message>
+        <source>Reaction time: maximum</source>
+        <translation>Reacción: máximo</translation>
+    </message>
+    <message>
+        <source>First goal: kind</source>
+        <translation>1.er objetivo: tipo</translation>
+    </message>
+    <message>
+        <source>Number of goals of a repeated route that are skipped at first; absent: that of the preset</source>
+        <translation>Número de objetivos de una ruta repetida que se omiten al principio; si falta: el del valor preestablecido</translation>
+    </message>
+    <message>
+        <source>First goal: deviation</source>
+        <translation>1.er objetivo: desv.</translation>
+    </message>
+    <message>
+        <source>First goal: half width</source>
+        <translation>1.er objetivo: semianch.</translation>
+    </message>
+    <message>
+        <source>First goal: minimum</source>
+        <translation>1.er objetivo: mínimo</translation>
+    </message>
+    <message>
+        <source>First goal: maximum</source>
+        <translation>1.er objetivo: máximo</translation>
+    </message>
+    <message>
+        <source>Start of the measurement: begin, goal, motion, time 5.0 or event contact</source>
+        <translation>Inicio de la medición: begin, goal, motion, time 5.0 o event contact</translation>
+    </message>
+    <message>
+        <source>End of the measurement: end, arrival, time 20.0 or event contact</source>
+        <translation>Fin de la medición: end, arrival, time 20.0 o event contact</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frec. de muestreo</translation>
+    </message>
+    <message>
+        <source>Sampling rate; 0: every recorded sample</source>
+        <translation>Frecuencia de muestreo; 0: cada muestra registrada</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>Name of the experiment in the results</source>
+        <translation>Nombre del experimento en los resultados</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Nº de ejecución</translation>
+    </message>
+    <message>
+        <source>Number of the run in the results</source>
+        <translation>Número de la ejecución en los resultados</translation>
+    </message>
+    <message>
+        <source>Metrics file</source>
+        <translation>Archivo de métricas</translation>
+    </message>
+    <message>
+        <source>File that selects the metrics, relative to the scenario; absent: all metrics</source>
+        <translation>Archivo que elige las métricas, relativo al escenario; si falta: todas las métricas</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>Umbrales</translation>
+    </message>
+    <message>
+        <source>Thresholds of metrics: name and value of each</source>
+        <translation>Umbrales de las métricas: nombre y valor de cada uno</translation>
+    </message>
+    <message>
+        <source>Dynamic window approach (Fox, Burgard &amp; Thrun 1997): scores the arcs that the robot can drive next.</source>
+        <translation>Método de la ventana dinámica (Fox, Burgard y Thrun 1997): puntúa los arcos que el robot puede recorrer a continuación.</translation>
+    </message>
+    <message>
+        <source>Linear samples</source>
+        <translation>Muestras lineales</translation>
+    </message>
+    <message>
+        <source>Sampled speeds; omnidirectional: the total number of samples is distributed evenly.</source>
+        <translation>Velocidades muestreadas; omnidireccional: el número total de muestras se reparte por igual.</translation>
+    </message>
+    <message>
+        <source>Angular samples</source>
+        <translation>Muestras angulares</translation>
+    </message>
+    <message>
+        <source>Sampled turn rates for each speed.</source>
+        <translation>Velocidades de giro muestreadas para cada velocidad.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Time within which a sampled velocity must be reachable.</source>
+        <translation>Tiempo en el que una velocidad muestreada debe poder alcanzarse.</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation>Horizonte</translation>
+    </message>
+    <message>
+        <source>Time for which arcs are simulated; longer if braking takes longer.</source>
+        <translation>Tiempo que se simulan los arcos; más si frenar requiere más tiempo.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Time between two checks along an arc.</source>
+        <translation>Tiempo entre dos comprobaciones a lo largo de un arco.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Minimum distance to walls and people.</source>
+        <translation>Distancia mínima a paredes y personas.</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Holgura</translation>
+    </message>
+    <message>
+        <source>Clearance above which more clearance does not improve the score of an arc.</source>
+        <translation>Holgura a partir de la cual más holgura no mejora la puntuación de un arco.</translation>
+    </message>
+    <message>
+        <source>Goal weight</source>
+        <translation>Peso objetivo</translation>
+    </message>
+    <message>
+        <source>Weight of the remaining path length at the end of an arc.</source>
+        <translation>Peso de la longitud de camino restante al final de un arco.</translation>
+    </message>
+    <message>
+        <source>Heading weight</source>
+        <translation>Peso orientación</translation>
+    </message>
+    <message>
+        <source>Weight of the remaining rotation at the position where the robot would stop if it braked.</source>
+        <translation>Peso de la rotación restante en la posición en que el robot se detendría si frenara.</translation>
+    </message>
+    <message>
+        <source>Clearance weight</source>
+        <translation>Peso holgura</translation>
+    </message>
+    <message>
+        <source>Weight of missing clearance along an arc.</source>
+        <translation>Peso de la holgura que falta a lo largo de un arco.</translation>
+    </message>
+    <message>
+        <source>Velocity weight</source>
+        <translation>Peso velocidad</translation>
+    </message>
+    <message>
+        <source>Weight of the difference to the maximum speed.</source>
+        <translation>Peso de la diferencia con la velocidad máxima.</translation>
+    </message>
+    <message>
+        <source>Smoothness weight</source>
+        <translation>Peso suavidad</translation>
+    </message>
+    <message>
+        <source>Weight of the difference from the last command.</source>
+        <translation>Peso de la diferencia con la última orden.</translation>
+    </message>
+    <message>
+        <source>Slow distance</source>
+        <translation>Dist. de frenado</translation>
+    </message>
+    <message>
+        <source>Gap to a person ahead below which the robot slows down.</source>
+        <translation>Distancia a una persona delante por debajo de la cual el robot reduce la velocidad.</translation>
+    </message>
+    <message>
+        <source>Slow share</source>
+        <translation>Parte lenta</translation>
+    </message>
+    <message>
+        <source>Share of the maximum speed close to a person.</source>
+        <translation>Parte de la velocidad máxima cerca de una persona.</translation>
+    </message>
+    <message>
+        <source>Standing speed</source>
+        <translation>Vel. de reposo</translation>
+    </message>
+    <message>
+        <source>People below this speed count as standing: the path leads around them.</source>
+        <translation>Las personas por debajo de esta velocidad cuentan como quietas: el camino las rodea.</translation>
+    </message>
+    <message>
+        <source>Patience</source>
+        <translation>Paciencia</translation>
+    </message>
+    <message>
+        <source>Time without progress after which the robot backs off and tries again.</source>
+        <translation>Tiempo sin avance tras el cual el robot retrocede y lo intenta de nuevo.</translation>
+    </message>
+    <message>
+        <source>Reverse distance</source>
+        <translation>Dist. marcha atrás</translation>
+    </message>
+    <message>
+        <source>Distance that it backs off.</source>
+        <translation>Distancia que retrocede.</translation>
+    </message>
+    <message>
+        <source>An external planner: a program that is called in every time step.</source>
+        <translation>Un planificador externo: un programa que se llama en cada paso.</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tiempo de espera</translation>
+    </message>
+    <message>
+        <source>Maximum response time of the program in the robot&apos;s `command`.</source>
+        <translation>Tiempo de respuesta máximo del programa de `command` del robot.</translation>
+    </message>
+    <message>
+        <source>An external planner in a shared library.</source>
+        <translation>Un planificador externo en una biblioteca compartida.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Shared library of the planner (hunavsim_planner.h), relative to the scenario; needs permission to run code.</source>
+        <translation>Biblioteca compartida del planificador (hunavsim_planner.h), relativa al escenario; necesita permiso para ejecutar código.</translation>
+    </message>
+    <message>
+        <source>Model predictive path integral control (Williams et al. 2017): the weighted mean of many noisy trajectories.</source>
+        <translation>Control predictivo por integral de caminos (Williams et al. 2017): la media ponderada de muchas trayectorias con ruido.</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muestras</translation>
+    </message>
+    <message>
+        <source>Trajectories sampled in each cycle, rounded up to a multiple of 16.</source>
+        <translation>Trayectorias muestreadas en cada ciclo, redondeadas a un múltiplo de 16.</translation>
+    </message>
+    <message>
+        <source>Time steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Time steps of each trajectory.</source>
+        <translation>Pasos de cada trayectoria.</translation>
+    </message>
+    <message>
+        <source>Model dt</source>
+        <translation>dt del modelo</translation>
+    </message>
+    <message>
+        <source>Duration of a time step of the trajectories.</source>
+        <translation>Duración de un paso de las trayectorias.</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatura</translation>
+    </message>
+    <message>
+        <source>lambda: cost difference that changes the weight of a trajectory by the factor e.</source>
+        <translation>lambda: diferencia de coste que cambia el peso de una trayectoria por el factor e.</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
+    </message>
+    <message>
+        <source>Weight of the control cost: lambda (1 - alpha).</source>
+        <translation>Peso del coste de control: lambda (1 - alpha).</translation>
+    </message>
+    <message>
+        <source>Linear noise</source>
+        <translation>Ruido lineal</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on the forward speed.</source>
+        <translation>Desviación típica del ruido de la velocidad de avance.</translation>
+    </message>
+    <message>
+        <source>Angular noise</source>
+        <translation>Ruido angular</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on the turn rate.</source>
+        <translation>Desviación típica del ruido de la velocidad de giro.</translation>
+    </message>
+    <message>
+        <source>Lateral noise</source>
+        <translation>Ruido lateral</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on the lateral speed (omnidirectional).</source>
+        <translation>Desviación típica del ruido de la velocidad lateral (omnidireccional).</translation>
+    </message>
+    <message>
+        <source>Noise time</source>
+        <translation>Tiempo de ruido</translation>
+    </message>
+    <message>
+        <source>Time in which the autocorrelation of the noise decays to 1/e; 0: white noise, as in Nav2.</source>
+        <translation>Tiempo en que la autocorrelación del ruido decae a 1/e; 0: ruido blanco, como en Nav2.</translation>
+    </message>
+    <message>
+        <source>Cost of the mean remaining distance, around walls.</source>
+        <translation>Coste de la distancia media restante, alrededor de las paredes.</translation>
+    </message>
+    <message>
+        <source>End weight</source>
+        <translation>Peso final</translation>
+    </message>
+    <message>
+        <source>Cost of the remaining distance at the end of a trajectory.</source>
+        <translation>Coste de la distancia restante al final de una trayectoria.</translation>
+    </message>
+    <message>
+        <source>Cost of a heading away from the path to the goal (not for omnidirectional robots).</source>
+        <translation>Coste de una orientación que se aparta del camino al objetivo (no en robots omnidireccionales).</translation>
+    </message>
+    <message>
+        <source>Reverse weight</source>
+        <translation>Peso marcha atrás</translation>
+    </message>
+    <message>
+        <source>Cost of the mean reverse speed (not for omnidirectional robots).</source>
+        <translation>Coste de la velocidad media marcha atrás (no en robots omnidireccionales).</translation>
+    </message>
+    <message>
+        <source>Stop weight</source>
+        <translation>Peso parada</translation>
+    </message>
+    <message>
+        <source>Cost of the squared speed inside the goal region.</source>
+        <translation>Coste del cuadrado de la velocidad dentro de la región del objetivo.</translation>
+    </message>
+    <message>
+        <source>Wall weight</source>
+        <translation>Peso pared</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a wall, decreasing quadratically to 0 at wall_range.</source>
+        <translation>Coste del contacto con una pared, que decrece cuadráticamente hasta 0 en wall_range.</translation>
+    </message>
+    <message>
+        <source>Wall range</source>
+        <translation>Alcance pared</translation>
+    </message>
+    <message>
+        <source>Gap to walls from which the cost is 0.</source>
+        <translation>Distancia a las paredes a partir de la cual el coste es 0.</translation>
+    </message>
+    <message>
+        <source>Person weight</source>
+        <translation>Peso persona</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person, decreasing to 0 at person_range.</source>
+        <translation>Coste del contacto con una persona, que decrece hasta 0 en person_range.</translation>
+    </message>
+    <message>
+        <source>Person range</source>
+        <translation>Alcance persona</translation>
+    </message>
+    <message>
+        <source>Gap to a person from which the cost is 0.</source>
+        <translation>Distancia a una persona a partir de la cual el coste es 0.</translation>
+    </message>
+    <message>
+        <source>Person margin</source>
+        <translation>Margen persona</translation>
+    </message>
+    <message>
+        <source>A smaller gap to a person counts as a contact.</source>
+        <translation>Una distancia menor a una persona cuenta como contacto.</translation>
+    </message>
+    <message>
+        <source>Contact weight</source>
+        <translation>Peso contacto</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person or an obstacle along the whole trajectory.</source>
+        <translation>Coste del contacto con una persona o un obstáculo a lo largo de toda la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Cost of changing the speed at the limits of the drive all the time.</source>
+        <translation>Coste de cambiar la velocidad en los límites de la tracción todo el tiempo.</translation>
+    </message>
+    <message>
+        <source>Optimal reciprocal collision avoidance (ORCA) for the kinematics of the robot (NH-ORCA).</source>
+        <translation>Evitación recíproca óptima de colisiones (ORCA) para la cinemática del robot (NH-ORCA).</translation>
+    </message>
+    <message>
+        <source>tau: time for which the selected velocity is free of collisions with people and robots.</source>
+        <translation>tau: tiempo durante el cual la velocidad elegida está libre de colisiones con personas y robots.</translation>
+    </message>
+    <message>
+        <source>Wall horizon</source>
+        <translation>Horizonte pared</translation>
+    </message>
+    <message>
+        <source>Time for which the selected velocity is free of collisions with walls.</source>
+        <translation>Tiempo durante el cual la velocidad elegida está libre de colisiones con paredes.</translation>
+    </message>
+    <message>
+        <source>Tracking error</source>
+        <translation>Error seguimiento</translation>
+    </message>
+    <message>
+        <source>epsilon: maximum distance of the robot from the position that results from the selected velocity; less beside people and walls. Its radius is enlarged by this. Not for omnidirectional robots.</source>
+        <translation>epsilon: distancia máxima del robot a la posición que resulta de la velocidad elegida; menor junto a personas y paredes. Su radio se amplía en este valor. No en robots omnidireccionales.</translation>
+    </message>
+    <message>
+        <source>Turn time</source>
+        <translation>Tiempo de giro</translation>
+    </message>
+    <message>
+        <source>T: time in which the robot turns into the direction of the selected velocity, unless its angular acceleration takes longer.</source>
+        <translation>T: tiempo en que el robot gira hacia la dirección de la velocidad elegida, salvo que su aceleración angular requiera más.</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Share of the avoidance of a person that the robot takes: 0.5: people take the other half, 1: people do not avoid.</source>
+        <translation>Parte de la evitación de una persona que asume el robot: 0.5: las personas asumen la otra mitad, 1: las personas no evitan.</translation>
+    </message>
+    <message>
+        <source>Robot share</source>
+        <translation>Parte robot</translation>
+    </message>
+    <message>
+        <source>Share of the avoidance of another robot that the robot takes.</source>
+        <translation>Parte de la evitación de otro robot que asume el robot.</translation>
+    </message>
+    <message>
+        <source>Distance to people and robots in addition to both radii.</source>
+        <translation>Distancia a personas y robots además de ambos radios.</translation>
+    </message>
+    <message>
+        <source>People and robots farther away are ignored.</source>
+        <translation>Se ignoran las personas y los robots más lejanos.</translation>
+    </message>
+    <message>
+        <source>Lookahead</source>
+        <translation>Anticipación</translation>
+    </message>
+    <message>
+        <source>Distance along the route to the target point; at least 1.5 turning radii.</source>
+        <translation>Distancia a lo largo de la ruta hasta el punto de destino; al menos 1.5 radios de giro.</translation>
+    </message>
+    <message>
+        <source>Side preference</source>
+        <translation>Lado preferido</translation>
+    </message>
+    <message>
+        <source>Rotation of the desired velocity to the right if people are in its way.</source>
+        <translation>Rotación de la velocidad deseada hacia la derecha si hay personas en su camino.</translation>
+    </message>
+    <message>
+        <source>Pure pursuit of the route (Coulter 1992); slows down for people ahead.</source>
+        <translation>Persecución pura de la ruta (Coulter 1992); reduce la velocidad ante personas.</translation>
+    </message>
+    <message>
+        <source>Distance along the path to the target point.</source>
+        <translation>Distancia a lo largo del camino hasta el punto de destino.</translation>
+    </message>
+    <message>
+        <source>Stop distance</source>
+        <translation>Dist. de parada</translation>
+    </message>
+    <message>
+        <source>Gap to a person ahead at which the robot stops.</source>
+        <translation>Distancia a una persona delante a la que el robot se detiene.</translation>
+    </message>
+    <message>
+        <source>Replays recorded velocities and ignores obstacles.</source>
+        <translation>Reproduce velocidades grabadas e ignora los obstáculos.</translation>
+    </message>
+    <message>
+        <source>CSV with time,linear,angular and optionally lateral, or the trajectory.csv of a run; relative to the scenario.</source>
+        <translation>CSV con time,linear,angular y opcionalmente lateral, o el trajectory.csv de una ejecución; relativo al escenario.</translation>
+    </message>
+    <message>
+        <source>Id of the robot whose velocities are read from a trajectory.csv.</source>
+        <translation>Id del robot cuyas velocidades se leen de un trajectory.csv.</translation>
+    </message>
+    <message>
+        <source>Moves like a person of the social force model.</source>
+        <translation>Se mueve como una persona del modelo de fuerzas sociales.</translation>
+    </message>
+    <message>
+        <source>Goal factor</source>
+        <translation>Factor objetivo</translation>
+    </message>
+    <message>
+        <source>k_g: weight of the attractive force along the route.</source>
+        <translation>k_g: peso de la fuerza de atracción a lo largo de la ruta.</translation>
+    </message>
+    <message>
+        <source>Relaxation time</source>
+        <translation>T. de relajación</translation>
+    </message>
+    <message>
+        <source>tau: relaxation time of the velocity towards the desired one.</source>
+        <translation>tau: tiempo de relajación de la velocidad hacia la deseada.</translation>
+    </message>
+    <message>
+        <source>Obstacle factor</source>
+        <translation>Factor obstáculo</translation>
+    </message>
+    <message>
+        <source>k_o: force of a wall in contact with the robot. It turns the robot aside, never back.</source>
+        <translation>k_o: fuerza de una pared en contacto con el robot. Desvía el robot, nunca lo empuja hacia atrás.</translation>
+    </message>
+    <message>
+        <source>Obstacle range</source>
+        <translation>Alcance obstáculo</translation>
+    </message>
+    <message>
+        <source>sigma: distance over which the force of walls decays to 1/e.</source>
+        <translation>sigma: distancia en que la fuerza de las paredes decae a 1/e.</translation>
+    </message>
+    <message>
+        <source>Social factor</source>
+        <translation>Factor social</translation>
+    </message>
+    <message>
+        <source>k_s: weight of the forces of people and robots.</source>
+        <translation>k_s: peso de las fuerzas de personas y robots.</translation>
+    </message>
+    <message>
+        <source>Lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Weight of the relative velocity in the direction of an interaction.</source>
+        <translation>Peso de la velocidad relativa en la dirección de una interacción.</translation>
+    </message>
+    <message>
+        <source>Range of an interaction per length of the interaction vector.</source>
+        <translation>Alcance de una interacción por longitud del vector de interacción.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Angular width of the evasion term.</source>
+        <translation>Ancho angular del término de evasión.</translation>
+    </message>
+    <message>
+        <source>N prime</source>
+        <translation>N prima</translation>
+    </message>
+    <message>
+        <source>Angular width of the deceleration term.</source>
+        <translation>Ancho angular del término de deceleración.</translation>
+    </message>
+    <message>
+        <source>Epsilon</source>
+        <translation>Épsilon</translation>
+    </message>
+    <message>
+        <source>Bias to one side for people who meet head-on.</source>
+        <translation>Sesgo hacia un lado para personas que se encuentran de frente.</translation>
+    </message>
+    <message>
+        <source>Desired speed</source>
+        <translation>Vel. deseada</translation>
+    </message>
+    <message>
+        <source>v_0: desired speed, limited by the drive.</source>
+        <translation>v_0: velocidad deseada, limitada por la tracción.</translation>
+    </message>
+    <message>
+        <source>T: time in which the robot turns into the direction of the desired velocity, unless its angular acceleration takes longer.</source>
+        <translation>T: tiempo en que el robot gira hacia la dirección de la velocidad deseada, salvo que su aceleración angular requiera más.</translation>
+    </message>
+    <message>
+        <source>Gap to a person below which the robot does not approach.</source>
+        <translation>Distancia a una persona por debajo de la cual el robot no se acerca.</translation>
+    </message>
+    <message>
+        <source>Slow time</source>
+        <translation>Tiempo lento</translation>
+    </message>
+    <message>
+        <source>The approach speed to a person is at most the gap beyond the stop distance divided by this time.</source>
+        <translation>La velocidad de acercamiento a una persona es como máximo la distancia más allá de la de parada dividida por este tiempo.</translation>
+    </message>
+    <message>
+        <source>Distance along the route to the attracting point; at least 1.5 turning radii.</source>
+        <translation>Distancia a lo largo de la ruta hasta el punto de atracción; al menos 1.5 radios de giro.</translation>
+    </message>
+    <message>
+        <source>MPPI that predicts people, yields to them and avoids groups.</source>
+        <translation>MPPI que predice a las personas, les cede el paso y evita los grupos.</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Predicción</translation>
+    </message>
+    <message>
+        <source>Prediction of people: 0: constant velocity, 1: social force model with walls and the robot&apos;s plan.</source>
+        <translation>Predicción de personas: 0: velocidad constante, 1: modelo de fuerzas sociales con paredes y el plan del robot.</translation>
+    </message>
+    <message>
+        <source>Intimate weight</source>
+        <translation>Peso íntimo</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person, decreasing linearly to 0 at a gap of 0.45 m.</source>
+        <translation>Coste del contacto con una persona, que decrece linealmente hasta 0 a una distancia de 0.45 m.</translation>
+    </message>
+    <message>
+        <source>Personal weight</source>
+        <translation>Peso personal</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person, decreasing quadratically to 0 at a gap of 1.2 m.</source>
+        <translation>Coste del contacto con una persona, que decrece cuadráticamente hasta 0 a una distancia de 1.2 m.</translation>
+    </message>
+    <message>
+        <source>Space weight</source>
+        <translation>Peso espacio</translation>
+    </message>
+    <message>
+        <source>Cost at the centre of the personal space: a Gaussian that is longer in front of walking people.</source>
+        <translation>Coste en el centro del espacio personal: una gaussiana más larga delante de quien camina.</translation>
+    </message>
+    <message>
+        <source>Group weight</source>
+        <translation>Peso grupo</translation>
+    </message>
+    <message>
+        <source>Cost at the centre of the space shared by two people who stand face to face.</source>
+        <translation>Coste en el centro del espacio compartido por dos personas frente a frente.</translation>
+    </message>
+    <message>
+        <source>Ttc weight</source>
+        <translation>Peso ttc</translation>
+    </message>
+    <message>
+        <source>Cost of approaching a person nearby, with the square of ttc_limit / time - 1.</source>
+        <translation>Coste de acercarse a una persona próxima, con el cuadrado de ttc_limit / tiempo - 1.</translation>
+    </message>
+    <message>
+        <source>Ttc limit</source>
+        <translation>Límite ttc</translation>
+    </message>
+    <message>
+        <source>Time to collision at the current closing speed above which the cost is 0.</source>
+        <translation>Tiempo hasta la colisión a la velocidad de acercamiento actual por encima del cual el coste es 0.</translation>
+    </message>
+    <message>
+        <source>Relative speed weight</source>
+        <translation>Peso vel. relativa</translation>
+    </message>
+    <message>
+        <source>Cost of the squared relative speed beside a person, decreasing to 0 at a gap of 1.2 m.</source>
+        <translation>Coste del cuadrado de la velocidad relativa junto a una persona, que decrece hasta 0 a una distancia de 1.2 m.</translation>
+    </message>
+    <message>
+        <source>Front weight</source>
+        <translation>Peso frontal</translation>
+    </message>
+    <message>
+        <source>Cost of a position where a person is about to walk; the robot passes behind people.</source>
+        <translation>Coste de una posición por la que una persona está a punto de pasar; el robot pasa por detrás de las personas.</translation>
+    </message>
+    <message>
+        <source>Front time</source>
+        <translation>Tiempo frontal</translation>
+    </message>
+    <message>
+        <source>Walking time that this area extends in front of a person.</source>
+        <translation>Tiempo de marcha que esta área se extiende delante de una persona.</translation>
+    </message>
+    <message>
+        <source>Legibility weight</source>
+        <translation>Peso legibilidad</translation>
+    </message>
+    <message>
+        <source>Cost of not showing early on which side the robot will pass an oncoming person; the beginning of a trajectory has the largest weight.</source>
+        <translation>Coste de no mostrar pronto por qué lado pasará el robot a una persona que viene de frente; el comienzo de una trayectoria pesa más.</translation>
+    </message>
+    <message>
+        <source>Patience weight</source>
+        <translation>Peso paciencia</translation>
+    </message>
+    <message>
+        <source>Cost of standing in a narrow passage that a person is about to use.</source>
+        <translation>Coste de estar en un paso estrecho que una persona está a punto de usar.</translation>
+    </message>
+    <message>
+        <source>Wait distance</source>
+        <translation>Dist. de espera</translation>
+    </message>
+    <message>
+        <source>Distance from the narrow passage at which the robot waits.</source>
+        <translation>Distancia al paso estrecho a la que el robot espera.</translation>
+    </message>
+    <message>
+        <source>Patience time</source>
+        <translation>T. de paciencia</translation>
+    </message>
+    <message>
+        <source>Waiting time after which the robot enters the passage anyway.</source>
+        <translation>Tiempo de espera tras el cual el robot entra en el paso de todos modos.</translation>
+    </message>
+    <message>
+        <source>Drives straight to the goal and avoids nothing: a baseline that no test should accept.</source>
+        <translation>Va recto al objetivo y no evita nada: una referencia que ninguna prueba debería aceptar.</translation>
+    </message>
+    <message>
+        <source>Manual drive: stands until the user drives it. Ignores people.</source>
+        <translation>Conducción manual: parado hasta que el usuario lo conduce. Ignora a las personas.</translation>
+    </message>
+    <message>
+        <source>Speed share</source>
+        <translation>Parte de velocidad</translation>
+    </message>
+    <message>
+        <source>Share of the maximum speed and turn rate that the robot uses at most.</source>
+        <translation>Parte de la velocidad y del giro máximos que el robot usa como mucho.</translation>
+    </message>
+    <message>
+        <source>Time after the last command after which the robot stops; 0: it continues.</source>
+        <translation>Tiempo tras la última orden después del cual el robot se detiene; 0: continúa.</translation>
+    </message>
+    <message>
+        <source>Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands.</source>
+        <translation>Lo conduce el topic /cmd_vel de ROS 2 con run --ros2; si no, está parado.</translation>
+    </message>
+    <message>
+        <source>Nav2 without ROS: uses your nav2_params.yaml and navigator tree.</source>
+        <translation>Nav2 sin ROS: usa su nav2_params.yaml y el árbol del navegador.</translation>
+    </message>
+    <message>
+        <source>Latency scan</source>
+        <translation>Latencia barrido</translation>
+    </message>
+    <message>
+        <source>Time steps from the lidar to the costmaps.</source>
+        <translation>Pasos desde el lidar hasta los mapas de costes.</translation>
+    </message>
+    <message>
+        <source>Latency planner</source>
+        <translation>Latencia planific.</translation>
+    </message>
+    <message>
+        <source>Time steps from a request to its path.</source>
+        <translation>Pasos desde una petición hasta su camino.</translation>
+    </message>
+    <message>
+        <source>Latency command</source>
+        <translation>Latencia orden</translation>
+    </message>
+    <message>
+        <source>Time steps from the last server to the wheels.</source>
+        <translation>Pasos desde el último servidor hasta las ruedas.</translation>
+    </message>
+    <message>
+        <source>Waypoint tasks</source>
+        <translation>Tareas de paso</translation>
+    </message>
+    <message>
+        <source>1: the robot drives to several goals one by one and executes the task of waypoint_follower at each.</source>
+        <translation>1: el robot va a varios objetivos uno por uno y ejecuta en cada uno la tarea de waypoint_follower.</translation>
+    </message>
+    <message>
+        <source>Crowd model of this program: social forces whose density, flow and lanes are close to measurements.</source>
+        <translation>Modelo de multitudes de este programa: fuerzas sociales cuya densidad, flujo y filas se acercan a las mediciones.</translation>
+    </message>
+    <message>
+        <source>Gaze factor</source>
+        <translation>Factor de mirada</translation>
+    </message>
+    <message>
+        <source>Weight of the gaze force: turning back to group members behind.</source>
+        <translation>Peso de la fuerza de mirada: girarse hacia los miembros del grupo que van detrás.</translation>
+    </message>
+    <message>
+        <source>Coherence factor</source>
+        <translation>Factor coherencia</translation>
+    </message>
+    <message>
+        <source>Weight of the attraction to the centre of the group.</source>
+        <translation>Peso de la atracción hacia el centro del grupo.</translation>
+    </message>
+    <message>
+        <source>Repulsion factor</source>
+        <translation>Factor repulsión</translation>
+    </message>
+    <message>
+        <source>Weight of the repulsion between group members.</source>
+        <translation>Peso de la repulsión entre miembros del grupo.</translation>
+    </message>
+    <message>
+        <source>Time gap</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>T: time gap to the person straight ahead.</source>
+        <translation>T: intervalo de tiempo con la persona que va justo delante.</translation>
+    </message>
+    <message>
+        <source>Cap width</source>
+        <translation>Ancho frontal</translation>
+    </message>
+    <message>
+        <source>Tangent of the angle from the walking direction that counts as ahead.</source>
+        <translation>Tangente del ángulo con la dirección de marcha que cuenta como delante.</translation>
+    </message>
+    <message>
+        <source>Co moving weight</source>
+        <translation>Peso co-mov.</translation>
+    </message>
+    <message>
+        <source>Share of the force between people with equal velocities.</source>
+        <translation>Parte de la fuerza entre personas con velocidades iguales.</translation>
+    </message>
+    <message>
+        <source>Full weight at</source>
+        <translation>Peso pleno a</translation>
+    </message>
+    <message>
+        <source>Relative speed from which the force between people has full weight.</source>
+        <translation>Velocidad relativa a partir de la cual la fuerza entre personas tiene peso pleno.</translation>
+    </message>
+    <message>
+        <source>Intent share</source>
+        <translation>Parte intención</translation>
+    </message>
+    <message>
+        <source>Share of the desired velocity in the velocity that people react to.</source>
+        <translation>Parte de la velocidad deseada en la velocidad a la que reaccionan las personas.</translation>
+    </message>
+    <message>
+        <source>Lane factor</source>
+        <translation>Factor de filas</translation>
+    </message>
+    <message>
+        <source>Strength of lane formation in counterflow.</source>
+        <translation>Intensidad de la formación de filas en contraflujo.</translation>
+    </message>
+    <message>
+        <source>File share</source>
+        <translation>Parte en fila</translation>
+    </message>
+    <message>
+        <source>Share of people with the same walking direction in the lane force.</source>
+        <translation>Parte de personas con la misma dirección de marcha en la fuerza de filas.</translation>
+    </message>
+    <message>
+        <source>Crowd scale</source>
+        <translation>Escala multitud</translation>
+    </message>
+    <message>
+        <source>Crowding ahead at which the crowd-only terms have half of their effect.</source>
+        <translation>Aglomeración delante a la que los términos exclusivos de multitud tienen la mitad de su efecto.</translation>
+    </message>
+    <message>
+        <source>Braking share</source>
+        <translation>Parte de frenado</translation>
+    </message>
+    <message>
+        <source>Share of the braking for oncoming people that remains in a crowd.</source>
+        <translation>Parte del frenado ante personas de frente que queda en una multitud.</translation>
+    </message>
+    <message>
+        <source>Yield speed</source>
+        <translation>Vel. de separación</translation>
+    </message>
+    <message>
+        <source>Speed at which people in contact separate.</source>
+        <translation>Velocidad a la que se separan las personas en contacto.</translation>
+    </message>
+    <message>
+        <source>Yield gap</source>
+        <translation>Dist. separación</translation>
+    </message>
+    <message>
+        <source>Gap up to which neighbours count as in contact.</source>
+        <translation>Distancia hasta la cual los vecinos cuentan como en contacto.</translation>
+    </message>
+    <message>
+        <source>Push back limit</source>
+        <translation>Límite empuje</translation>
+    </message>
+    <message>
+        <source>Maximum backward force of walls, as a share of the goal force.</source>
+        <translation>Fuerza máxima hacia atrás de las paredes, como parte de la fuerza del objetivo.</translation>
+    </message>
+    <message>
+        <source>Crowd wall share</source>
+        <translation>Parte pared</translation>
+    </message>
+    <message>
+        <source>Share of the force of walls beside narrow passages that remains in a crowd.</source>
+        <translation>Parte de la fuerza de las paredes junto a pasos estrechos que queda en una multitud.</translation>
+    </message>
+    <message>
+        <source>Mate turn width</source>
+        <translation>Ancho compañeros</translation>
+    </message>
+    <message>
+        <source>Angle below which group members side by side evade each other less.</source>
+        <translation>Ángulo por debajo del cual los miembros del grupo uno junto a otro se esquivan menos.</translation>
+    </message>
+    <message>
+        <source>Optimal reciprocal collision avoidance (van den Berg et al. 2011): the collision-free velocity closest to the desired one.</source>
+        <translation>Evitación recíproca óptima de colisiones (van den Berg et al. 2011): la velocidad sin colisiones más próxima a la deseada.</translation>
+    </message>
+    <message>
+        <source>tau: time for which velocities are free of collisions with people.</source>
+        <translation>tau: tiempo durante el cual las velocidades están libres de colisiones con personas.</translation>
+    </message>
+    <message>
+        <source>Obstacle horizon</source>
+        <translation>Horizonte obst.</translation>
+    </message>
+    <message>
+        <source>Time for which velocities are free of collisions with walls.</source>
+        <translation>Tiempo durante el cual las velocidades están libres de colisiones con paredes.</translation>
+    </message>
+    <message>
+        <source>People farther away are ignored.</source>
+        <translation>Se ignoran las personas más lejanas.</translation>
+    </message>
+    <message>
+        <source>Braking time</source>
+        <translation>Tiempo de frenado</translation>
+    </message>
+    <message>
+        <source>Time in which people without a goal come to a stop.</source>
+        <translation>Tiempo en que se detienen las personas sin objetivo.</translation>
+    </message>
+    <message>
+        <source>Rotation of the desired velocity to the right if the path is not free.</source>
+        <translation>Rotación de la velocidad deseada hacia la derecha si el camino no está libre.</translation>
+    </message>
+    <message>
+        <source>The social force model of HuNavSim (Moussaïd et al. 2009, 2010) with its errors corrected.</source>
+        <translation>El modelo de fuerzas sociales de HuNavSim (Moussaïd et al. 2009, 2010) con sus errores corregidos.</translation>
+    </message>
+    <message>
+        <source>The social force model of HuNavSim 2.0 unchanged, for comparison with its results.</source>
+        <translation>El modelo de fuerzas sociales de HuNavSim 2.0 sin cambios, para comparar con sus resultados.</translation>
+    </message>
+    <message>
+        <source>Generic robot</source>
+        <translation>Robot genérico</translation>
+    </message>
+    <message>
+        <source>Navigation Performance</source>
+        <translation>Rendimiento de navegación</translation>
+    </message>
+    <message>
+        <source>Social Behavior</source>
+        <translation>Comportamiento social</translation>
+    </message>
+    <message>
+        <source>Motion Analysis</source>
+        <translation>Análisis del movimiento</translation>
+    </message>
+    <message>
+        <source>Safety &amp; Collisions</source>
+        <translation>Seguridad y colisiones</translation>
+    </message>
+    <message>
+        <source>Social Forces</source>
+        <translation>Fuerzas sociales</translation>
+    </message>
+    <message>
+        <source>Danger &amp; Surprise Metrics</source>
+        <translation>Métricas de peligro y sorpresa</translation>
+    </message>
+    <message>
+        <source>Time to reach the goal</source>
+        <translation>Tiempo hasta el objetivo</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Longitud del camino</translation>
+    </message>
+    <message>
+        <source>Cumulative heading changes</source>
+        <translation>Cambios de orientación acumulados</translation>
+    </message>
+    <message>
+        <source>Mean distance to the closest person</source>
+        <translation>Distancia media a la persona más cercana</translation>
+    </message>
+    <message>
+        <source>Smallest distance to people</source>
+        <translation>Distancia mínima a personas</translation>
+    </message>
+    <message>
+        <source>Largest distance to people</source>
+        <translation>Distancia máxima a personas</translation>
+    </message>
+    <message>
+        <source>Intrusions into the intimate space</source>
+        <translation>Intrusiones en el espacio íntimo</translation>
+    </message>
+    <message>
+        <source>Intrusions into the personal space</source>
+        <translation>Intrusiones en el espacio personal</translation>
+    </message>
+    <message>
+        <source>Intrusions into the social space</source>
+        <translation>Intrusiones en el espacio social</translation>
+    </message>
+    <message>
+        <source>Intrusions into the intimate space of groups</source>
+        <translation>Intrusiones en el espacio íntimo de grupos</translation>
+    </message>
+    <message>
+        <source>Intrusions into the personal space of groups</source>
+        <translation>Intrusiones en el espacio personal de grupos</translation>
+    </message>
+    <message>
+        <source>Intrusions into the social space of groups</source>
+        <translation>Intrusiones en el espacio social de grupos</translation>
+    </message>
+    <message>
+        <source>Goal reached</source>
+        <translation>Objetivo alcanzado</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the goal</source>
+        <translation>Distancia mínima al objetivo</translation>
+    </message>
+    <message>
+        <source>Final distance to the goal</source>
+        <translation>Distancia final al objetivo</translation>
+    </message>
+    <message>
+        <source>Robot runs into a person</source>
+        <translation>El robot choca con una persona</translation>
+    </message>
+    <message>
+        <source>Person runs into the robot</source>
+        <translation>Una persona choca con el robot</translation>
+    </message>
+    <message>
+        <source>Time standing still</source>
+        <translation>Tiempo parado</translation>
+    </message>
+    <message>
+        <source>Mean speed of the robot</source>
+        <translation>Velocidad media del robot</translation>
+    </message>
+    <message>
+        <source>Mean turn rate of the robot</source>
+        <translation>Velocidad de giro media del robot</translation>
+    </message>
+    <message>
+        <source>Mean acceleration of the robot</source>
+        <translation>Aceleración media del robot</translation>
+    </message>
+    <message>
+        <source>Mean jerk of the robot</source>
+        <translation>Sacudida media del robot</translation>
+    </message>
+    <message>
+        <source>Mean speed of people</source>
+        <translation>Velocidad media de las personas</translation>
+    </message>
+    <message>
+        <source>Mean speed of the closest person</source>
+        <translation>Velocidad media de la persona más cercana</translation>
+    </message>
+    <message>
+        <source>Social force of the robot on people</source>
+        <translation>Fuerza social del robot sobre las personas</translation>
+    </message>
+    <message>
+        <source>Social force of people on the robot</source>
+        <translation>Fuerza social de las personas sobre el robot</translation>
+    </message>
+    <message>
+        <source>Social work</source>
+        <translation>Trabajo social</translation>
+    </message>
+    <message>
+        <source>Obstacle force on the robot</source>
+        <translation>Fuerza de obstáculos sobre el robot</translation>
+    </message>
+    <message>
+        <source>Obstacle force on people</source>
+        <translation>Fuerza de obstáculos sobre las personas</translation>
+    </message>
+    <message>
+        <source>Danger: fear</source>
+        <translation>Peligro: miedo</translation>
+    </message>
+    <message>
+        <source>Danger: panic</source>
+        <translation>Peligro: pánico</translation>
+    </message>
+    <message>
+        <source>Surprise: visibility</source>
+        <translation>Sorpresa: visibilidad</translation>
+    </message>
+    <message>
+        <source>Surprise: shock</source>
+        <translation>Sorpresa: sobresalto</translation>
+    </message>
+    <message>
+        <source>Surprise: reaction</source>
+        <translation>Sorpresa: reacción</translation>
+    </message>
+    <message>
+        <source>Smallest clearance</source>
+        <translation>Holgura mínima</translation>
+    </message>
+    <message>
+        <source>Mean clearance</source>
+        <translation>Holgura media</translation>
+    </message>
+    <message>
+        <source>Time too close to obstacles</source>
+        <translation>Tiempo demasiado cerca de obstáculos</translation>
+    </message>
+    <message>
+        <source>Winding around people</source>
+        <translation>Vueltas alrededor de personas</translation>
+    </message>
+    <message>
+        <source>Replans of the robot</source>
+        <translation>Replanificaciones del robot</translation>
+    </message>
+    <message>
+        <source>Aggregated time to the goals</source>
+        <translation>Tiempo agregado hasta los objetivos</translation>
+    </message>
+    <message>
+        <source>Mean distance to the goal while stopped</source>
+        <translation>Distancia media al objetivo parado</translation>
+    </message>
+    <message>
+        <source>Density around people</source>
+        <translation>Densidad alrededor de las personas</translation>
+    </message>
+    <message>
+        <source>Voronoi density</source>
+        <translation>Densidad de Voronoi</translation>
+    </message>
+    <message>
+        <source>Voronoi density, largest sample</source>
+        <translation>Densidad de Voronoi, muestra máxima</translation>
+    </message>
+    <message>
+        <source>Specific flow of the crowd</source>
+        <translation>Flujo específico de la multitud</translation>
+    </message>
+    <message>
+        <source>Crowd polarisation</source>
+        <translation>Polarización de la multitud</translation>
+    </message>
+    <message>
+        <source>Crowd lane order</source>
+        <translation>Orden de filas de la multitud</translation>
+    </message>
+    <message>
+        <source>Danger: fear, mean per sample</source>
+        <translation>Peligro: miedo, media por muestra</translation>
+    </message>
+    <message>
+        <source>Danger: panic, mean per sample</source>
+        <translation>Peligro: pánico, media por muestra</translation>
+    </message>
+    <message>
+        <source>Time facing people</source>
+        <translation>Tiempo mirando a personas</translation>
+    </message>
+    <message>
+        <source>Time seen by people</source>
+        <translation>Tiempo visto por personas</translation>
+    </message>
+    <message>
+        <source>Time facing people, 60 degrees</source>
+        <translation>Tiempo mirando a personas, 60 grados</translation>
+    </message>
+    <message>
+        <source>Time seen by people, 60 degrees</source>
+        <translation>Tiempo visto por personas, 60 grados</translation>
+    </message>
+    <message>
+        <source>Direction of the nearest person at the end</source>
+        <translation>Dirección de la persona más cercana al final</translation>
+    </message>
+    <message>
+        <source>Distance of the nearest person at the end</source>
+        <translation>Distancia de la persona más cercana al final</translation>
+    </message>
+    <message>
+        <source>Speed of the nearest person at the end</source>
+        <translation>Velocidad de la persona más cercana al final</translation>
+    </message>
+    <message>
+        <source>People near the robot at the end</source>
+        <translation>Personas cerca del robot al final</translation>
+    </message>
+    <message>
+        <source>Line crossings by people</source>
+        <translation>Cruces de la línea por personas</translation>
+    </message>
+    <message>
+        <source>Flow through the line</source>
+        <translation>Flujo a través de la línea</translation>
+    </message>
+    <message>
+        <source>Intrusion into the Gaussian personal space</source>
+        <translation>Intrusión en el espacio personal gaussiano</translation>
+    </message>
+    <message>
+        <source>Intrusion into the Gaussian personal space, smallest</source>
+        <translation>Intrusión en el espacio personal gaussiano, mínima</translation>
+    </message>
+    <message>
+        <source>Intrusion into the Gaussian personal space, largest</source>
+        <translation>Intrusión en el espacio personal gaussiano, máxima</translation>
+    </message>
+    <message>
+        <source>Time inside the Gaussian personal space</source>
+        <translation>Tiempo en el espacio personal gaussiano</translation>
+    </message>
+    <message>
+        <source>Intrusion into the space of groups</source>
+        <translation>Intrusión en el espacio de grupos</translation>
+    </message>
+    <message>
+        <source>Intrusion into the space of groups, largest</source>
+        <translation>Intrusión en el espacio de grupos, máxima</translation>
+    </message>
+    <message>
+        <source>Group crossings</source>
+        <translation>Cruces de grupos</translation>
+    </message>
+    <message>
+        <source>Disturbance by the robot&apos;s heading</source>
+        <translation>Molestia por la orientación del robot</translation>
+    </message>
+    <message>
+        <source>Disturbance by the robot&apos;s heading, largest</source>
+        <translation>Molestia por la orientación del robot, máxima</translation>
+    </message>
+    <message>
+        <source>Time hardly moving</source>
+        <translation>Tiempo casi sin moverse</translation>
+    </message>
+    <message>
+        <source>Time driving backwards</source>
+        <translation>Tiempo marcha atrás</translation>
+    </message>
+    <message>
+        <source>Time rotating in place</source>
+        <translation>Tiempo girando en el sitio</translation>
+    </message>
+    <message>
+        <source>Success</source>
+        <translation>Éxito</translation>
+    </message>
+    <message>
+        <source>Duration of the record</source>
+        <translation>Duración del registro</translation>
+    </message>
+    <message>
+        <source>Robot runs into an obstacle</source>
+        <translation>El robot choca con un obstáculo</translation>
+    </message>
+    <message>
+        <source>Success weighted by path length</source>
+        <translation>Éxito ponderado por longitud del camino</translation>
+    </message>
+    <message>
+        <source>Success weighted by time</source>
+        <translation>Éxito ponderado por tiempo</translation>
+    </message>
+    <message>
+        <source>Path efficiency</source>
+        <translation>Eficiencia del camino</translation>
+    </message>
+    <message>
+        <source>Path irregularity</source>
+        <translation>Irregularidad del camino</translation>
+    </message>
+    <message>
+        <source>Turning per metre</source>
+        <translation>Giro por metro</translation>
+    </message>
+    <message>
+        <source>Mean curvature</source>
+        <translation>Curvatura media</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>Curvatura máxima</translation>
+    </message>
+    <message>
+        <source>Mean roughness</source>
+        <translation>Rugosidad media</translation>
+    </message>
+    <message>
+        <source>Smallest time to collision</source>
+        <translation>Tiempo mínimo hasta la colisión</translation>
+    </message>
+    <message>
+        <source>Personal space compliance</source>
+        <translation>Respeto del espacio personal</translation>
+    </message>
+    <message>
+        <source>Discomfort frequency</source>
+        <translation>Frecuencia de incomodidad</translation>
+    </message>
+    <message>
+        <source>Mean distance during discomfort</source>
+        <translation>Distancia media durante la incomodidad</translation>
+    </message>
+    <message>
+        <source>Time in personal space</source>
+        <translation>Tiempo en el espacio personal</translation>
+    </message>
+    <message>
+        <source>Mean speed in personal space</source>
+        <translation>Velocidad media en el espacio personal</translation>
+    </message>
+    <message>
+        <source>Largest speed in intimate space</source>
+        <translation>Velocidad máxima en el espacio íntimo</translation>
+    </message>
+    <message>
+        <source>Steps away from the goal</source>
+        <translation>Pasos que alejan del objetivo</translation>
+    </message>
+    <message>
+        <source>Time stalled</source>
+        <translation>Tiempo detenido</translation>
+    </message>
+    <message>
+        <source>Remaining share of the distance</source>
+        <translation>Parte restante de la distancia</translation>
+    </message>
+    <message>
+        <source>Final distance per path length</source>
+        <translation>Distancia final por longitud del camino</translation>
+    </message>
+    <message>
+        <source>Mean displacement from the reference</source>
+        <translation>Desplazamiento medio de la referencia</translation>
+    </message>
+    <message>
+        <source>Final displacement from the reference</source>
+        <translation>Desplazamiento final de la referencia</translation>
+    </message>
+    <message>
+        <source>DTW distance from the reference</source>
+        <translation>Distancia DTW a la referencia</translation>
+    </message>
+    <message>
+        <source>Mean distance from the reference path</source>
+        <translation>Distancia media al camino de referencia</translation>
+    </message>
+    <message>
+        <source>Responsibility of the robot</source>
+        <translation>Responsabilidad del robot</translation>
+    </message>
+    <message>
+        <source>Engagement of the robot</source>
+        <translation>Implicación del robot</translation>
+    </message>
+    <message>
+        <source>Social force of the robot on people, mean per sample</source>
+        <translation>Fuerza social del robot sobre las personas, media por muestra</translation>
+    </message>
+    <message>
+        <source>Social force of people on the robot, mean per sample</source>
+        <translation>Fuerza social de las personas sobre el robot, media por muestra</translation>
+    </message>
+    <message>
+        <source>Social work, mean per sample</source>
+        <translation>Trabajo social, media por muestra</translation>
+    </message>
+    <message>
+        <source>Obstacle force on the robot, mean per sample</source>
+        <translation>Fuerza de obstáculos sobre el robot, media por muestra</translation>
+    </message>
+    <message>
+        <source>Obstacle force on people, mean per sample</source>
+        <translation>Fuerza de obstáculos sobre las personas, media por muestra</translation>
+    </message>
+    <message>
+        <source>Smallest speed of the robot</source>
+        <translation>Velocidad mínima del robot</translation>
+    </message>
+    <message>
+        <source>Largest speed of the robot</source>
+        <translation>Velocidad máxima del robot</translation>
+    </message>
+    <message>
+        <source>Largest acceleration of the robot</source>
+        <translation>Aceleración máxima del robot</translation>
+    </message>
+    <message>
+        <source>Largest jerk of the robot</source>
+        <translation>Sacudida máxima del robot</translation>
+    </message>
+    <message>
+        <source>Mean angular acceleration of the robot</source>
+        <translation>Aceleración angular media del robot</translation>
+    </message>
+    <message>
+        <source>Motion energy</source>
+        <translation>Energía de movimiento</translation>
+    </message>
+    <message>
+        <source>Surprise: visibility, mean per sample</source>
+        <translation>Sorpresa: visibilidad, media por muestra</translation>
+    </message>
+    <message>
+        <source>Surprise: shock, mean per sample</source>
+        <translation>Sorpresa: sobresalto, media por muestra</translation>
+    </message>
+    <message>
+        <source>Surprise: reaction, mean per sample</source>
+        <translation>Sorpresa: reacción, media por muestra</translation>
+    </message>
+    <message>
+        <source>Mean time to collision</source>
+        <translation>Tiempo medio hasta la colisión</translation>
+    </message>
+    <message>
+        <source>Time exposed to collisions</source>
+        <translation>Tiempo expuesto a colisiones</translation>
+    </message>
+    <message>
+        <source>Time-integrated threat of collisions</source>
+        <translation>Amenaza de colisión integrada en el tiempo</translation>
+    </message>
+    <message>
+        <source>Mean passing distance</source>
+        <translation>Distancia media de paso</translation>
+    </message>
+    <message>
+        <source>Largest approach speed</source>
+        <translation>Velocidad máxima de acercamiento</translation>
+    </message>
+    <message>
+        <source>Largest lateral acceleration</source>
+        <translation>Aceleración lateral máxima</translation>
+    </message>
+    <message>
+        <source>Entries into the intimate zone</source>
+        <translation>Entradas en la zona íntima</translation>
+    </message>
+    <message>
+        <source>Entries of the robot into the intimate zone</source>
+        <translation>Entradas del robot en la zona íntima</translation>
+    </message>
+    <message>
+        <source>Entries of people into the intimate zone</source>
+        <translation>Entradas de personas en la zona íntima</translation>
+    </message>
+    <message>
+        <source>Entries into the personal zone</source>
+        <translation>Entradas en la zona personal</translation>
+    </message>
+    <message>
+        <source>Entries of the robot into the personal zone</source>
+        <translation>Entradas del robot en la zona personal</translation>
+    </message>
+    <message>
+        <source>Entries of people into the personal zone</source>
+        <translation>Entradas de personas en la zona personal</translation>
+    </message>
+    <message>
+        <source>so far</source>
+        <translation>hasta ahora</translation>
+    </message>
+    <message>
+        <source>per step</source>
+        <translation>por paso</translation>
+    </message>
+    <message>
+        <source>count per step</source>
+        <translation>cuenta por paso</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Control</translation>
+    </message>
+    <message>
+        <source>Runs the children in order until one fails; resumes at the running child.</source>
+        <translation>Ejecuta los hijos en orden hasta que uno falla; continúa en el hijo en ejecución.</translation>
+    </message>
+    <message>
+        <source>Runs the children in order until one succeeds; resumes at the running child.</source>
+        <translation>Ejecuta los hijos en orden hasta que uno tiene éxito; continúa en el hijo en ejecución.</translation>
+    </message>
+    <message>
+        <source>A sequence that restarts at the first child in every time step, so that conditions are checked again.</source>
+        <translation>Una secuencia que vuelve a empezar por el primer hijo en cada paso, de modo que las condiciones se comprueban de nuevo.</translation>
+    </message>
+    <message>
+        <source>A fallback that restarts at the first child in every time step, so that earlier children take precedence.</source>
+        <translation>Una alternativa que vuelve a empezar por el primer hijo en cada paso, de modo que los hijos anteriores tienen prioridad.</translation>
+    </message>
+    <message>
+        <source>A sequence that resumes at the child that failed.</source>
+        <translation>Una secuencia que continúa en el hijo que falló.</translation>
+    </message>
+    <message>
+        <source>A sequence that completes at most one child per time step.</source>
+        <translation>Una secuencia que completa como máximo un hijo por paso.</translation>
+    </message>
+    <message>
+        <source>A fallback that completes at most one child per time step.</source>
+        <translation>Una alternativa que completa como máximo un hijo por paso.</translation>
+    </message>
+    <message>
+        <source>Runs all children in every time step until enough have succeeded or failed.</source>
+        <translation>Ejecuta todos los hijos en cada paso hasta que suficientes han tenido éxito o han fallado.</translation>
+    </message>
+    <message>
+        <source>Number of successes after which the node succeeds; negative: counted from all children (-1: all).</source>
+        <translation>Número de éxitos tras los que el nodo tiene éxito; negativo: se cuenta desde todos los hijos (-1: todos).</translation>
+    </message>
+    <message>
+        <source>Number of failures after which the node fails; negative: counted from all children (-1: all).</source>
+        <translation>Número de fallos tras los que el nodo falla; negativo: se cuenta desde todos los hijos (-1: todos).</translation>
+    </message>
+    <message>
+        <source>Runs all children and ends when all are completed.</source>
+        <translation>Ejecuta todos los hijos y termina cuando todos han terminado.</translation>
+    </message>
+    <message>
+        <source>Number of failures from which the node fails.</source>
+        <translation>Número de fallos a partir del cual el nodo falla.</translation>
+    </message>
+    <message>
+        <source>The first child is the condition, run once; if it succeeds the second child is run, else the third.</source>
+        <translation>El primer hijo es la condición, que se ejecuta una vez; si tiene éxito se ejecuta el segundo hijo, si no el tercero.</translation>
+    </message>
+    <message>
+        <source>The first child is the condition, run in every time step; while it succeeds the second child is run, else the third.</source>
+        <translation>El primer hijo es la condición, que se ejecuta en cada paso; mientras tiene éxito se ejecuta el segundo hijo, si no el tercero.</translation>
+    </message>
+    <message>
+        <source>Runs the child whose case equals the variable, for any other value the last child.</source>
+        <translation>Ejecuta el hijo cuyo caso es igual a la variable; con cualquier otro valor, el último hijo.</translation>
+    </message>
+    <message>
+        <source>Value that is compared.</source>
+        <translation>Valor que se compara.</translation>
+    </message>
+    <message>
+        <source>Value for which child 1 is run.</source>
+        <translation>Valor con el que se ejecuta el hijo 1.</translation>
+    </message>
+    <message>
+        <source>Value for which child 2 is run.</source>
+        <translation>Valor con el que se ejecuta el hijo 2.</translation>
+    </message>
+    <message>
+        <source>Value for which child 3 is run.</source>
+        <translation>Valor con el que se ejecuta el hijo 3.</translation>
+    </message>
+    <message>
+        <source>Value for which child 4 is run.</source>
+        <translation>Valor con el que se ejecuta el hijo 4.</translation>
+    </message>
+    <message>
+        <source>Value for which child 5 is run.</source>
+        <translation>Valor con el que se ejecuta el hijo 5.</translation>
+    </message>
+    <message>
+        <source>Child 6 is run for this value.</source>
+        <translation>El hijo 6 se ejecuta con este valor.</translation>
+    </message>
+    <message>
+        <source>Runs all children except the last as a sequence; if it fails, runs the last child.</source>
+        <translation>Ejecuta todos los hijos menos el último como secuencia; si falla, ejecuta el último.</translation>
+    </message>
+    <message>
+        <source>The last child is also ticked once when the node is halted.</source>
+        <translation>El último hijo también recibe un tick cuando se detiene el nodo.</translation>
+    </message>
+    <message>
+        <source>Decorator</source>
+        <translation>Decorador</translation>
+    </message>
+    <message>
+        <source>Inverts success and failure of the child.</source>
+        <translation>Invierte el éxito y el fallo del hijo.</translation>
+    </message>
+    <message>
+        <source>Succeeds whatever the result of the child.</source>
+        <translation>Tiene éxito sea cual sea el resultado del hijo.</translation>
+    </message>
+    <message>
+        <source>Fails whatever the result of the child.</source>
+        <translation>Falla sea cual sea el resultado del hijo.</translation>
+    </message>
+    <message>
+        <source>Repeats the child until it fails.</source>
+        <translation>Repite el hijo hasta que falla.</translation>
+    </message>
+    <message>
+        <source>Repeats the child this number of times, or until it fails.</source>
+        <translation>Repite el hijo este número de veces, o hasta que falla.</translation>
+    </message>
+    <message>
+        <source>Number of runs; -1: unlimited.</source>
+        <translation>Número de repeticiones; -1: sin límite.</translation>
+    </message>
+    <message>
+        <source>Repeats the child until it succeeds.</source>
+        <translation>Repite el hijo hasta que tiene éxito.</translation>
+    </message>
+    <message>
+        <source>Runs the child to completion once in the lifetime of the tree.</source>
+        <translation>Ejecuta el hijo hasta el final una sola vez en la vida del árbol.</translation>
+    </message>
+    <message>
+        <source>Afterwards: true: skipped, false: returns the same result.</source>
+        <translation>Después: true: se omite, false: devuelve el mismo resultado.</translation>
+    </message>
+    <message>
+        <source>Waits before the child is run.</source>
+        <translation>Espera antes de ejecutar el hijo.</translation>
+    </message>
+    <message>
+        <source>Duration in simulated time.</source>
+        <translation>Duración en tiempo simulado.</translation>
+    </message>
+    <message>
+        <source>Fails when the child takes longer.</source>
+        <translation>Falla cuando el hijo tarda más.</translation>
+    </message>
+    <message>
+        <source>Limit in simulated time; 0: none.</source>
+        <translation>Límite en tiempo simulado; 0: ninguno.</translation>
+    </message>
+    <message>
+        <source>Runs the child only if a script is true.</source>
+        <translation>Ejecuta el hijo solo si un script es verdadero.</translation>
+    </message>
+    <message>
+        <source>Script.</source>
+        <translation>Script.</translation>
+    </message>
+    <message>
+        <source>Result if the script is false.</source>
+        <translation>Resultado si el script es falso.</translation>
+    </message>
+    <message>
+        <source>Runs the child once for each element of a list.</source>
+        <translation>Ejecuta el hijo una vez por cada elemento de una lista.</translation>
+    </message>
+    <message>
+        <source>Elements, separated by &apos;;&apos;.</source>
+        <translation>Elementos, separados por &apos;;&apos;.</translation>
+    </message>
+    <message>
+        <source>Result at the end.</source>
+        <translation>Resultado al final.</translation>
+    </message>
+    <message>
+        <source>Current element.</source>
+        <translation>Elemento actual.</translation>
+    </message>
+    <message>
+        <source>Skips the child unless the blackboard entry was written.</source>
+        <translation>Omite el hijo salvo que se haya escrito la entrada de la pizarra.</translation>
+    </message>
+    <message>
+        <source>Blackboard entry.</source>
+        <translation>Entrada de la pizarra.</translation>
+    </message>
+    <message>
+        <source>Waits until the blackboard entry is written, then runs the child.</source>
+        <translation>Espera a que se escriba la entrada de la pizarra y ejecuta el hijo.</translation>
+    </message>
+    <message>
+        <source>SubTree</source>
+        <translation>Subárbol</translation>
+    </message>
+    <message>
+        <source>Runs another tree.</source>
+        <translation>Ejecuta otro árbol.</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Succeeds.</source>
+        <translation>Tiene éxito.</translation>
+    </message>
+    <message>
+        <source>Fails.</source>
+        <translation>Falla.</translation>
+    </message>
+    <message>
+        <source>Writes an entry of the blackboard.</source>
+        <translation>Escribe una entrada de la pizarra.</translation>
+    </message>
+    <message>
+        <source>Text, or {key} of the entry that is copied.</source>
+        <translation>Texto, o {clave} de la entrada que se copia.</translation>
+    </message>
+    <message>
+        <source>Name of the entry.</source>
+        <translation>Nombre de la entrada.</translation>
+    </message>
+    <message>
+        <source>Removes an entry of the blackboard.</source>
+        <translation>Quita una entrada de la pizarra.</translation>
+    </message>
+    <message>
+        <source>Runs a script.</source>
+        <translation>Ejecuta un script.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condición</translation>
+    </message>
+    <message>
+        <source>Succeeds if a script is true.</source>
+        <translation>Tiene éxito si un script es verdadero.</translation>
+    </message>
+    <message>
+        <source>Waits.</source>
+        <translation>Espera.</translation>
+    </message>
+    <message>
+        <source>Succeeds if the entry was written since the last check.</source>
+        <translation>Tiene éxito si la entrada se escribió desde la última comprobación.</translation>
+    </message>
+    <message>
+        <source>Walks to another person, slower with decreasing distance, and looks at them from the closest distance.</source>
+        <translation>Camina hacia otra persona, más despacio al acercarse, y la mira desde la distancia mínima.</translation>
+    </message>
+    <message>
+        <source>Id of the person.</source>
+        <translation>Id de la persona.</translation>
+    </message>
+    <message>
+        <source>Id of the other person.</source>
+        <translation>Id de la otra persona.</translation>
+    </message>
+    <message>
+        <source>Time step in HuNavSim; this program uses the simulation&apos;s time step.</source>
+        <translation>Paso de tiempo en HuNavSim; este programa usa el paso de la simulación.</translation>
+    </message>
+    <message>
+        <source>Ends after this time; 0: unlimited.</source>
+        <translation>Termina tras este tiempo; 0: sin límite.</translation>
+    </message>
+    <message>
+        <source>Distance at which the person stops.</source>
+        <translation>Distancia a la que la persona se detiene.</translation>
+    </message>
+    <message>
+        <source>Speed far from the other person.</source>
+        <translation>Velocidad lejos de la otra persona.</translation>
+    </message>
+    <message>
+        <source>Follows another person at the person&apos;s own speed, at most max_vel if given, and slower within the closest distance.</source>
+        <translation>Sigue a otra persona a su propia velocidad, como máximo max_vel si se indica, y más despacio dentro de la distancia mínima.</translation>
+    </message>
+    <message>
+        <source>Distance within which the person slows down.</source>
+        <translation>Distancia dentro de la cual la persona reduce la velocidad.</translation>
+    </message>
+    <message>
+        <source>Maximum speed while following; absent or negative: the person&apos;s own.</source>
+        <translation>Velocidad máxima al seguir; si falta o es negativa: la de la propia persona.</translation>
+    </message>
+    <message>
+        <source>Walks to a position in front of another person and faces them.</source>
+        <translation>Camina hasta una posición delante de otra persona y se pone frente a ella.</translation>
+    </message>
+    <message>
+        <source>Distance in front of the other person.</source>
+        <translation>Distancia delante de la otra persona.</translation>
+    </message>
+    <message>
+        <source>Another person is within the distance and the field of view, and no wall hides them.</source>
+        <translation>Otra persona está dentro de la distancia y del campo de visión, y ninguna pared la oculta.</translation>
+    </message>
+    <message>
+        <source>Id of the person who looks.</source>
+        <translation>Id de la persona que mira.</translation>
+    </message>
+    <message>
+        <source>Maximum distance of visible people.</source>
+        <translation>Distancia máxima de las personas visibles.</translation>
+    </message>
+    <message>
+        <source>Half of the field of view: the angle to each side, pi: all around.</source>
+        <translation>Mitad del campo de visión: el ángulo a cada lado, pi: todo alrededor.</translation>
+    </message>
+    <message>
+        <source>Another person is nearer than the threshold.</source>
+        <translation>Otra persona está más cerca que el umbral.</translation>
+    </message>
+    <message>
+        <source>Id of the first person.</source>
+        <translation>Id de la primera persona.</translation>
+    </message>
+    <message>
+        <source>Distance below which a person is close.</source>
+        <translation>Distancia por debajo de la cual una persona está cerca.</translation>
+    </message>
+    <message>
+        <source>Gathers people in a circle around a goal, facing its centre, and keeps them there for the conversation. This node controls the members instead of their own trees.</source>
+        <translation>Reúne personas en círculo alrededor de un objetivo, mirando al centro, y las mantiene ahí durante la conversación. Este nodo controla a los miembros en lugar de sus árboles.</translation>
+    </message>
+    <message>
+        <source>Id of the person who gathers the others.</source>
+        <translation>Id de la persona que reúne a los demás.</translation>
+    </message>
+    <message>
+        <source>Id of the global goal that is the centre.</source>
+        <translation>Id del objetivo global que es el centro.</translation>
+    </message>
+    <message>
+        <source>x of a point, if no goal_id is given.</source>
+        <translation>x de un punto, si no se da goal_id.</translation>
+    </message>
+    <message>
+        <source>y of a point, if no goal_id is given.</source>
+        <translation>y de un punto, si no se da goal_id.</translation>
+    </message>
+    <message>
+        <source>Duration after all members are in place.</source>
+        <translation>Duración desde que todos los miembros están en su sitio.</translation>
+    </message>
+    <message>
+        <source>Ids of the other members, separated by commas.</source>
+        <translation>Ids de los otros miembros, separados por comas.</translation>
+    </message>
+    <message>
+        <source>At least this number of other people are near.</source>
+        <translation>Al menos este número de personas está cerca.</translation>
+    </message>
+    <message>
+        <source>Distance within which people are near.</source>
+        <translation>Distancia a la que las personas están cerca.</translation>
+    </message>
+    <message>
+        <source>Number of other people.</source>
+        <translation>Número de otras personas.</translation>
+    </message>
+    <message>
+        <source>All other members of the person&apos;s group are near; fails without a group.</source>
+        <translation>Todos los demás miembros del grupo de la persona están cerca; falla sin grupo.</translation>
+    </message>
+    <message>
+        <source>Stands until another person is near, also one who has not entered yet.</source>
+        <translation>Se queda quieta hasta que otra persona está cerca, también una que aún no ha entrado.</translation>
+    </message>
+    <message>
+        <source>Id of the person to wait for.</source>
+        <translation>Id de la persona a la que espera.</translation>
+    </message>
+    <message>
+        <source>Fails after this time; 0: unlimited.</source>
+        <translation>Falla tras este tiempo; 0: sin límite.</translation>
+    </message>
+    <message>
+        <source>Walks away from another person to the safe distance.</source>
+        <translation>Se aleja de otra persona hasta la distancia segura.</translation>
+    </message>
+    <message>
+        <source>Id of the person to flee from.</source>
+        <translation>Id de la persona de la que huye.</translation>
+    </message>
+    <message>
+        <source>Distance at which the node ends.</source>
+        <translation>Distancia a la que termina el nodo.</translation>
+    </message>
+    <message>
+        <source>Speed while fleeing.</source>
+        <translation>Velocidad al huir.</translation>
+    </message>
+    <message>
+        <source>Writes the id of the nearest other person; fails if there is none.</source>
+        <translation>Escribe el id de la persona más cercana; falla si no hay ninguna.</translation>
+    </message>
+    <message>
+        <source>Id of the nearest person.</source>
+        <translation>Id de la persona más cercana.</translation>
+    </message>
+    <message>
+        <source>Walks to a global goal; the person&apos;s other goals are suspended.</source>
+        <translation>Camina a un objetivo global; los demás objetivos de la persona se suspenden.</translation>
+    </message>
+    <message>
+        <source>Id of the global goal.</source>
+        <translation>Id del objetivo global.</translation>
+    </message>
+    <message>
+        <source>The goal is reached within this distance plus 0.1 m.</source>
+        <translation>El objetivo se alcanza a esta distancia más 0.1 m.</translation>
+    </message>
+    <message>
+        <source>Accepted for existing files; has no effect.</source>
+        <translation>Se acepta por los archivos existentes; no tiene efecto.</translation>
+    </message>
+    <message>
+        <source>Removes the current goal from the list; with cyclic goals it is appended at the end. Fails without goals.</source>
+        <translation>Quita el objetivo actual de la lista; con objetivos cíclicos se añade al final. Falla sin objetivos.</translation>
+    </message>
+    <message>
+        <source>Appends a global goal to the person&apos;s list; goals set in the first tick replace those of the scenario.</source>
+        <translation>Añade un objetivo global a la lista de la persona; los objetivos del primer tick sustituyen a los del escenario.</translation>
+    </message>
+    <message>
+        <source>One time step towards the current goal; without a goal the person comes to rest.</source>
+        <translation>Un paso hacia el objetivo actual; sin objetivo la persona se detiene.</translation>
+    </message>
+    <message>
+        <source>The person is within the radius of the current goal, plus 0.1 m; never without a goal.</source>
+        <translation>La persona está dentro del radio del objetivo actual, más 0.1 m; nunca sin objetivo.</translation>
+    </message>
+    <message>
+        <source>The person is at a global goal.</source>
+        <translation>La persona está en un objetivo global.</translation>
+    </message>
+    <message>
+        <source>Id of any person.</source>
+        <translation>Id de cualquier persona.</translation>
+    </message>
+    <message>
+        <source>Maximum distance to the goal.</source>
+        <translation>Distancia máxima al objetivo.</translation>
+    </message>
+    <message>
+        <source>Puts the person into a group.</source>
+        <translation>Pone a la persona en un grupo.</translation>
+    </message>
+    <message>
+        <source>Number of the group; -1: no group.</source>
+        <translation>Número del grupo; -1: sin grupo.</translation>
+    </message>
+    <message>
+        <source>Forms a group with the goals of the main person, whom this node controls; the others follow their own trees. Groups and goals are restored at the end.</source>
+        <translation>Forma un grupo con los objetivos de la persona principal, a la que controla este nodo; los demás siguen sus propios árboles. Al final se restauran grupos y objetivos.</translation>
+    </message>
+    <message>
+        <source>Id of the person who leads.</source>
+        <translation>Id de la persona que guía.</translation>
+    </message>
+    <message>
+        <source>The robot is within the distance and within 100 degrees to each side, and no wall hides it.</source>
+        <translation>El robot está dentro de la distancia y de 100 grados a cada lado, y ninguna pared lo oculta.</translation>
+    </message>
+    <message>
+        <source>Maximum distance at which the robot is visible.</source>
+        <translation>Distancia máxima a la que el robot es visible.</translation>
+    </message>
+    <message>
+        <source>Turns in place to a global goal.</source>
+        <translation>Gira en el sitio hacia un objetivo global.</translation>
+    </message>
+    <message>
+        <source>Heading error at which the node ends.</source>
+        <translation>Error de orientación con el que termina el nodo.</translation>
+    </message>
+    <message>
+        <source>Turns in place to another person.</source>
+        <translation>Gira en el sitio hacia otra persona.</translation>
+    </message>
+    <message>
+        <source>Id of the person who turns.</source>
+        <translation>Id de la persona que gira.</translation>
+    </message>
+    <message>
+        <source>Id of the person to look at.</source>
+        <translation>Id de la persona a la que mira.</translation>
+    </message>
+    <message>
+        <source>Turns in place to the robot.</source>
+        <translation>Gira en el sitio hacia el robot.</translation>
+    </message>
+    <message>
+        <source>Waits until another person looks at the person; selects the nearest of several.</source>
+        <translation>Espera a que otra persona mire a la persona; elige la más cercana de varias.</translation>
+    </message>
+    <message>
+        <source>Maximum distance of the other person.</source>
+        <translation>Distancia máxima de la otra persona.</translation>
+    </message>
+    <message>
+        <source>Maximum angle between the other person&apos;s heading and the line to the person.</source>
+        <translation>Ángulo máximo entre la orientación de la otra persona y la línea hacia la persona.</translation>
+    </message>
+    <message>
+        <source>Maximum wait; then the node fails.</source>
+        <translation>Espera máxima; después el nodo falla.</translation>
+    </message>
+    <message>
+        <source>Waits until a certain person looks at this one.</source>
+        <translation>Espera a que cierta persona mire a esta.</translation>
+    </message>
+    <message>
+        <source>Id of the person who should look.</source>
+        <translation>Id de la persona que debe mirar.</translation>
+    </message>
+    <message>
+        <source>Passes the robot ahead on the person&apos;s left or right; fails if there is none ahead.</source>
+        <translation>Rebasa al robot que va delante por la izquierda o la derecha de la persona; falla si no hay ninguno delante.</translation>
+    </message>
+    <message>
+        <source>left or right, seen by the person.</source>
+        <translation>left o right, vistos por la persona.</translation>
+    </message>
+    <message>
+        <source>Distance to the robot at which the node starts.</source>
+        <translation>Distancia al robot a la que empieza el nodo.</translation>
+    </message>
+    <message>
+        <source>Lateral distance to the robot.</source>
+        <translation>Distancia lateral al robot.</translation>
+    </message>
+    <message>
+        <source>Walks between random points of an area.</source>
+        <translation>Camina entre puntos aleatorios de un área.</translation>
+    </message>
+    <message>
+        <source>Name of the area.</source>
+        <translation>Nombre del área.</translation>
+    </message>
+    <message>
+        <source>Walks into the area of kind exit with the shortest path; fails without one.</source>
+        <translation>Camina al área de tipo exit con el camino más corto; falla sin ninguna.</translation>
+    </message>
+    <message>
+        <source>Walks to a global goal and stays there for some time.</source>
+        <translation>Camina a un objetivo global y se queda ahí un tiempo.</translation>
+    </message>
+    <message>
+        <source>Id of the global goal at the object.</source>
+        <translation>Id del objetivo global junto al objeto.</translation>
+    </message>
+    <message>
+        <source>Time at the object.</source>
+        <translation>Tiempo junto al objeto.</translation>
+    </message>
+    <message>
+        <source>Selects a random child when it is started and runs it to completion.</source>
+        <translation>Elige un hijo al azar al empezar y lo ejecuta hasta el final.</translation>
+    </message>
+    <message>
+        <source>Relative probability of each child; absent: all equal.</source>
+        <translation>Probabilidad relativa de cada hijo; si falta: todas iguales.</translation>
+    </message>
+    <message>
+        <source>Succeeds with the given probability, drawn again in every tick, so that the probability over n ticks is 1 - (1 - p)^n.</source>
+        <translation>Tiene éxito con la probabilidad dada, sorteada de nuevo en cada tick, de modo que la probabilidad en n ticks es 1 - (1 - p)^n.</translation>
+    </message>
+    <message>
+        <source>Probability per tick.</source>
+        <translation>Probabilidad por tick.</translation>
+    </message>
+    <message>
+        <source>Stands and turns to the robot.</source>
+        <translation>Se queda quieta y gira hacia el robot.</translation>
+    </message>
+    <message>
+        <source>One time step towards the robot, slower with decreasing distance; looks at it at rest.</source>
+        <translation>Un paso hacia el robot, más despacio al acercarse; parada, lo mira.</translation>
+    </message>
+    <message>
+        <source>Speed far from the robot.</source>
+        <translation>Velocidad lejos del robot.</translation>
+    </message>
+    <message>
+        <source>Distance to the robot at which the person stops.</source>
+        <translation>Distancia al robot a la que la persona se detiene.</translation>
+    </message>
+    <message>
+        <source>One time step away from the robot. With scary_force_factor and without safe_distance: one time step to the goals while the robot repels the person.</source>
+        <translation>Un paso alejándose del robot. Con scary_force_factor y sin safe_distance: un paso hacia los objetivos mientras el robot repele a la persona.</translation>
+    </message>
+    <message>
+        <source>Distance to which the person flees.</source>
+        <translation>Distancia hasta la que huye la persona.</translation>
+    </message>
+    <message>
+        <source>Strength of the repulsive force of the robot.</source>
+        <translation>Intensidad de la fuerza de repulsión del robot.</translation>
+    </message>
+    <message>
+        <source>One time step to the position in front of the robot; faces it there.</source>
+        <translation>Un paso hacia la posición delante del robot; ahí se pone frente a él.</translation>
+    </message>
+    <message>
+        <source>Distance in front of the robot; values below 0.5 m are replaced by 1.5 m.</source>
+        <translation>Distancia delante del robot; los valores por debajo de 0.5 m se sustituyen por 1.5 m.</translation>
+    </message>
+    <message>
+        <source>Walks to the robot, slower with decreasing distance, and looks at it from the closest distance.</source>
+        <translation>Camina hacia el robot, más despacio al acercarse, y lo mira desde la distancia mínima.</translation>
+    </message>
+    <message>
+        <source>Flees from the robot to the safe distance and looks at it from there.</source>
+        <translation>Huye del robot hasta la distancia segura y lo mira desde ahí.</translation>
+    </message>
+    <message>
+        <source>Walks to the position in front of the robot and faces it there.</source>
+        <translation>Camina hasta la posición delante del robot y ahí se pone frente a él.</translation>
+    </message>
+    <message>
+        <source>The robot is nearer than the threshold.</source>
+        <translation>El robot está más cerca que el umbral.</translation>
+    </message>
+    <message>
+        <source>Distance below which the robot is close.</source>
+        <translation>Distancia por debajo de la cual el robot está cerca.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s heading points at the person within 0.3 rad.</source>
+        <translation>La orientación del robot apunta a la persona con menos de 0.3 rad de error.</translation>
+    </message>
+    <message>
+        <source>Says a sentence, once.</source>
+        <translation>Dice una frase, una vez.</translation>
+    </message>
+    <message>
+        <source>Text of the sentence.</source>
+        <translation>Texto de la frase.</translation>
+    </message>
+    <message>
+        <source>Waits until a person nearby is heard; walls block speech. The last speaker is selected.</source>
+        <translation>Espera a oír a una persona cercana; las paredes bloquean el habla. Se elige el último hablante.</translation>
+    </message>
+    <message>
+        <source>Maximum distance at which speech is heard.</source>
+        <translation>Distancia máxima a la que se oye el habla.</translation>
+    </message>
+    <message>
+        <source>Id of the speaker.</source>
+        <translation>Id del hablante.</translation>
+    </message>
+    <message>
+        <source>Waits until a certain person is heard; walls block speech.</source>
+        <translation>Espera a oír a cierta persona; las paredes bloquean el habla.</translation>
+    </message>
+    <message>
+        <source>The person stops walking to goals until ResumeMovement; reactions still move the person.</source>
+        <translation>La persona deja de caminar a objetivos hasta ResumeMovement; las reacciones aún la mueven.</translation>
+    </message>
+    <message>
+        <source>Ends the effect of StopMovement.</source>
+        <translation>Termina el efecto de StopMovement.</translation>
+    </message>
+    <message>
+        <source>Stands still for some time.</source>
+        <translation>Se queda quieta un tiempo.</translation>
+    </message>
+    <message>
+        <source>Duration.</source>
+        <translation>Duración.</translation>
+    </message>
+    <message>
+        <source>Fails until the delay is over, then runs the child; the delay restarts after each run of the child.</source>
+        <translation>Falla hasta que pasa el retardo y luego ejecuta el hijo; el retardo se reinicia tras cada ejecución del hijo.</translation>
+    </message>
+    <message>
+        <source>Time before the child is run.</source>
+        <translation>Tiempo antes de ejecutar el hijo.</translation>
+    </message>
+    <message>
+        <source>Adds `ts` in each tick and succeeds when the sum has reached `seconds`; then it restarts, or with only_once succeeds from then on.</source>
+        <translation>Suma `ts` en cada tick y tiene éxito cuando la suma alcanza `seconds`; luego vuelve a empezar, o con only_once tiene éxito desde entonces.</translation>
+    </message>
+    <message>
+        <source>Length of the timer.</source>
+        <translation>Duración del temporizador.</translation>
+    </message>
+    <message>
+        <source>Added per tick; usually {dt}.</source>
+        <translation>Se suma por tick; normalmente {dt}.</translation>
+    </message>
+    <message>
+        <source>The timer stays expired.</source>
+        <translation>El temporizador permanece vencido.</translation>
+    </message>
+    <message>
+        <source>Runs the child; after its completion the node fails until the time has passed.</source>
+        <translation>Ejecuta el hijo; cuando termina, el nodo falla hasta que pasa el tiempo.</translation>
+    </message>
+    <message>
+        <source>Pause after each run of the child.</source>
+        <translation>Pausa tras cada ejecución del hijo.</translation>
+    </message>
+    <message>
+        <source>The simulated time lies in [from, until).</source>
+        <translation>El tiempo simulado está en [from, until).</translation>
+    </message>
+    <message>
+        <source>Start of the interval.</source>
+        <translation>Inicio del intervalo.</translation>
+    </message>
+    <message>
+        <source>End of the interval.</source>
+        <translation>Fin del intervalo.</translation>
+    </message>
+    <message>
+        <source>Joins the queue at a global goal, moves up in it and is served at its head.</source>
+        <translation>Se une a la cola en un objetivo global, avanza en ella y se la atiende al frente.</translation>
+    </message>
+    <message>
+        <source>Id of the global goal at the head of the queue.</source>
+        <translation>Id del objetivo global al frente de la cola.</translation>
+    </message>
+    <message>
+        <source>Distance to the person in front.</source>
+        <translation>Distancia a la persona de delante.</translation>
+    </message>
+    <message>
+        <source>Time at the head of the queue.</source>
+        <translation>Tiempo al frente de la cola.</translation>
+    </message>
+    <message>
+        <source>Maximum wait until service; then the node fails; 0: unlimited.</source>
+        <translation>Espera máxima hasta ser atendida; después el nodo falla; 0: sin límite.</translation>
+    </message>
+    <message>
+        <source>Stands and looks at an approaching robot until it has passed; fails if no robot approaches.</source>
+        <translation>Se queda quieta y mira a un robot que se acerca hasta que ha pasado; falla si no se acerca ninguno.</translation>
+    </message>
+    <message>
+        <source>Maximum distance of the robot.</source>
+        <translation>Distancia máxima del robot.</translation>
+    </message>
+    <message>
+        <source>Time after which the node ends if the robot stands still.</source>
+        <translation>Tiempo tras el cual termina el nodo si el robot está parado.</translation>
+    </message>
+    <message>
+        <source>Robot interaction</source>
+        <translation>Interacción con el robot</translation>
+    </message>
+    <message>
+        <source>Turns to the robot when it is in sight and approaches it</source>
+        <translation>Gira hacia el robot cuando lo ve y se acerca a él</translation>
+    </message>
+    <message>
+        <source>Conversation</source>
+        <translation>Conversación</translation>
+    </message>
+    <message>
+        <source>Stands together with others at a goal and talks</source>
+        <translation>Está con otras personas en un objetivo y habla</translation>
+    </message>
+    <message>
+        <source>With</source>
+        <translation>Con</translation>
+    </message>
+    <message>
+        <source>Meets at goal</source>
+        <translation>Se reúne en</translation>
+    </message>
+    <message>
+        <source>Closer than</source>
+        <translation>Más cerca de</translation>
+    </message>
+    <message>
+        <source>Robot awareness</source>
+        <translation>Atención al robot</translation>
+    </message>
+    <message>
+        <source>Stops and looks while the robot is near, then walks on</source>
+        <translation>Se detiene y mira mientras el robot está cerca, luego sigue</translation>
+    </message>
+    <message>
+        <source>Stops within</source>
+        <translation>Se detiene a</translation>
+    </message>
+    <message>
+        <source>Follow a person</source>
+        <translation>Seguir a una persona</translation>
+    </message>
+    <message>
+        <source>Follows another person for some time</source>
+        <translation>Sigue a otra persona durante un tiempo</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Sigue a</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Persona</translation>
+    </message>
+    <message>
+        <source>Starts within</source>
+        <translation>Empieza a</translation>
+    </message>
+    <message>
+        <source>Keeps at</source>
+        <translation>Se mantiene a</translation>
+    </message>
+    <message>
+        <source>Robot blocking</source>
+        <translation>Bloqueo del robot</translation>
+    </message>
+    <message>
+        <source>Steps into the path of the robot and stays there</source>
+        <translation>Se pone en el camino del robot y se queda ahí</translation>
+    </message>
+    <message>
+        <source>Stands in front</source>
+        <translation>Está delante a</translation>
+    </message>
+    <message>
+        <source>Walk together</source>
+        <translation>Caminar juntos</translation>
+    </message>
+    <message>
+        <source>Walks in a group with the nearest person</source>
+        <translation>Camina en grupo con la persona más cercana</translation>
+    </message>
+    <message>
+        <source>Answer a call</source>
+        <translation>Responder a una llamada</translation>
+    </message>
+    <message>
+        <source>Walks to a person who speaks and starts a conversation</source>
+        <translation>Camina hacia una persona que habla y empieza una conversación</translation>
+    </message>
+    <message>
+        <source>Hears within</source>
+        <translation>Oye hasta</translation>
+    </message>
+    <message>
+        <source>Listens for</source>
+        <translation>Escucha durante</translation>
+    </message>
+    <message>
+        <source>Approaches for</source>
+        <translation>Se acerca durante</translation>
+    </message>
+    <message>
+        <source>Talks for</source>
+        <translation>Habla durante</translation>
+    </message>
+    <message>
+        <source>Answer a look</source>
+        <translation>Responder a una mirada</translation>
+    </message>
+    <message>
+        <source>Looks back at an observer and says something</source>
+        <translation>Devuelve la mirada a un observador y dice algo</translation>
+    </message>
+    <message>
+        <source>Looked at by</source>
+        <translation>La mira</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>A menos de</translation>
+    </message>
+    <message>
+        <source>Waits for</source>
+        <translation>Espera a</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>Dice</translation>
+    </message>
+    <message>
+        <source>Greeting</source>
+        <translation>Saludo</translation>
+    </message>
+    <message>
+        <source>Turns to the robot or a person in sight and greets</source>
+        <translation>Gira hacia el robot o una persona a la vista y saluda</translation>
+    </message>
+    <message>
+        <source>Greets</source>
+        <translation>Saluda a</translation>
+    </message>
+    <message>
+        <source>Guardian</source>
+        <translation>Protección</translation>
+    </message>
+    <message>
+        <source>Steps between the robot and a person that it approaches</source>
+        <translation>Se interpone entre el robot y una persona a la que se acerca</translation>
+    </message>
+    <message>
+        <source>Guards</source>
+        <translation>Protege a</translation>
+    </message>
+    <message>
+        <source>Sees the robot</source>
+        <translation>Ve el robot</translation>
+    </message>
+    <message>
+        <source>Sees people</source>
+        <translation>Ve personas</translation>
+    </message>
+    <message>
+        <source>Robot nearer than</source>
+        <translation>Robot a menos de</translation>
+    </message>
+    <message>
+        <source>Blocks for</source>
+        <translation>Bloquea durante</translation>
+    </message>
+</context>
+<context>
     <name>EditCommand</name>
     <message>
         <source>Add %1</source>
@@ -2186,10 +6013,6 @@ Elegir qué muestra el mapa</translation>
         <translation>Abrir un escenario o un mapa</translation>
     </message>
     <message>
-        <source>Scenarios, maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</source>
-        <translation>Escenarios, mapas, imágenes de mapa (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</translation>
-    </message>
-    <message>
         <source>New scenario from a map</source>
         <translation>Nuevo escenario a partir de un mapa</translation>
     </message>
@@ -2264,6 +6087,10 @@ Elegir qué muestra el mapa</translation>
     <message>
         <source>%1 was moved or deleted. Save it again first?</source>
         <translation>%1 se movió o se borró. ¿Guardarlo de nuevo?</translation>
+    </message>
+    <message>
+        <source>Scenarios, maps, map images, packed studies (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</source>
+        <translation>Escenarios, mapas, imágenes de mapa, estudios empaquetados (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,3833 @@
     </message>
 </context>
 <context>
+    <name>Core</name>
+    <message>
+        <source>Yaml base name</source>
+        <translation>YAML 基本名称</translation>
+    </message>
+    <message>
+        <source>Base name of the file; part of the names of tree files</source>
+        <translation>文件的基本名称；树文件名的一部分</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>仿真器</translation>
+    </message>
+    <message>
+        <source>Simulator in which HuNavSim runs the file</source>
+        <translation>HuNavSim 运行该文件所用的仿真器</translation>
+    </message>
+    <message>
+        <source>Map name</source>
+        <translation>地图名称</translation>
+    </message>
+    <message>
+        <source>Name of the map, without folder and extension</source>
+        <translation>地图的名称，不含文件夹和扩展名</translation>
+    </message>
+    <message>
+        <source>ROS topics</source>
+        <translation>ROS 话题</translation>
+    </message>
+    <message>
+        <source>Publish people on ROS topics</source>
+        <translation>在 ROS 话题上发布行人</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Id of the person; part of the name of the tree file</source>
+        <translation>行人的 id；树文件名的一部分</translation>
+    </message>
+    <message>
+        <source>Walks with</source>
+        <translation>同行者</translation>
+    </message>
+    <message>
+        <source>Group number; people of one group stay together; -1: no group</source>
+        <translation>群组编号；同一群组的行人保持在一起；-1：无群组</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>人形</translation>
+    </message>
+    <message>
+        <source>Appearance of the person in the simulator</source>
+        <translation>行人在仿真器中的外观</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Desired walking speed</source>
+        <translation>期望的行走速度</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Radius of the circular body; with the model das it is 0.20 m, except for wheelchairs</source>
+        <translation>圆形身体的半径；使用模型 das 时为 0.20 m，轮椅除外</translation>
+    </message>
+    <message>
+        <source>Arrival radius</source>
+        <translation>到达半径</translation>
+    </message>
+    <message>
+        <source>Distance within which a goal is reached; 0 counts as 0.1</source>
+        <translation>在此距离内视为到达目标点；0 按 0.1 计</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>重复</translation>
+    </message>
+    <message>
+        <source>Restart the route after the last goal</source>
+        <translation>到达最后一个目标点后重新开始路线</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>行为</translation>
+    </message>
+    <message>
+        <source>How the person reacts to the robot</source>
+        <translation>行人对机器人的反应方式</translation>
+    </message>
+    <message>
+        <source>Sees within</source>
+        <translation>察觉距离</translation>
+    </message>
+    <message>
+        <source>Distance within which the person notices the robot</source>
+        <translation>行人察觉机器人的距离</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>持续时间</translation>
+    </message>
+    <message>
+        <source>Duration of the reaction</source>
+        <translation>反应的持续时间</translation>
+    </message>
+    <message>
+        <source>Only once</source>
+        <translation>仅一次</translation>
+    </message>
+    <message>
+        <source>React only once</source>
+        <translation>仅反应一次</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Speed during the reaction; absent: `max_vel`, or 2.0 if that is absent too</source>
+        <translation>反应期间的速度；缺省：`max_vel`，若也缺省则为 2.0</translation>
+    </message>
+    <message>
+        <source>Keeps away</source>
+        <translation>保持距离</translation>
+    </message>
+    <message>
+        <source>Distance to which the person retreats from the robot</source>
+        <translation>行人退避到与机器人的此距离</translation>
+    </message>
+    <message>
+        <source>Stops at</source>
+        <translation>停止距离</translation>
+    </message>
+    <message>
+        <source>Distance to the robot at which the person stops</source>
+        <translation>行人停下时与机器人的距离</translation>
+    </message>
+    <message>
+        <source>Blocks at</source>
+        <translation>阻挡距离</translation>
+    </message>
+    <message>
+        <source>Distance in front of the robot at which the person stands</source>
+        <translation>行人站在机器人前方的距离</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Source of the force factors, see below</source>
+        <translation>力系数的来源，见下文</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>目标点</translation>
+    </message>
+    <message>
+        <source>Factor of the attractive force of the goal</source>
+        <translation>目标点吸引力的系数</translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>Factor of the repulsive force of walls and obstacles</source>
+        <translation>墙和障碍物排斥力的系数</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>行人</translation>
+    </message>
+    <message>
+        <source>Factor of the repulsive force of other people</source>
+        <translation>其他行人排斥力的系数</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Factor of the repulsive force of the robot while scared; never drawn</source>
+        <translation>害怕时机器人排斥力的系数；从不随机</translation>
+    </message>
+    <message>
+        <source>Enters at</source>
+        <translation>进入时间</translation>
+    </message>
+    <message>
+        <source>Time at which the person enters the world</source>
+        <translation>行人进入世界的时间</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>体型</translation>
+    </message>
+    <message>
+        <source>Body type; determines the mass and the symbol on the map</source>
+        <translation>体型类别；决定质量和地图上的符号</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Mass of the body; absent: 80, 32, 75, 100, 100 by kind</source>
+        <translation>身体的质量；缺省：按类别为 80、32、75、100、100</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Pedestrian model; absent: that of the scenario</source>
+        <translation>行人模型；缺省：场景的模型</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>路线</translation>
+    </message>
+    <message>
+        <source>Paths planned around walls, or straight lines; absent: as in the scenario</source>
+        <translation>绕墙规划的路径，或直线；缺省：与场景相同</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>结束时</translation>
+    </message>
+    <message>
+        <source>What the person does after the last goal of a route that does not repeat</source>
+        <translation>在不重复的路线的最后一个目标点之后行人的行为</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Waiting time at each goal of the route</source>
+        <translation>路线上每个目标点的等待时间</translation>
+    </message>
+    <message>
+        <source>Tree file</source>
+        <translation>树文件</translation>
+    </message>
+    <message>
+        <source>Behaviour tree file, relative to the scenario; several people may use the same one</source>
+        <translation>行为树文件，相对于场景；多个行人可以使用同一文件</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Robot type</source>
+        <translation>机器人类型</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>规划器</translation>
+    </message>
+    <message>
+        <source>Planner that drives the robot to its goals</source>
+        <translation>将机器人驱动到目标点的规划器</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Planner external: the planner program with its arguments, or unix:PATH of a socket; runs only with --allow-code</source>
+        <translation>规划器 external：规划器程序及其参数，或套接字的 unix:路径；仅在使用 --allow-code 时运行</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Parameters of the planner: name and value of each</source>
+        <translation>规划器的参数：各参数的名称和值</translation>
+    </message>
+    <message>
+        <source>Nav2 parameters</source>
+        <translation>Nav2 参数</translation>
+    </message>
+    <message>
+        <source>Planner nav2: the parameter file (`nav2_params.yaml`) or the name of a shipped one; a list: several files, of which later ones override earlier ones, and single values in ROS 2 syntax (`FollowPath.max_vel_x:=0.3`)</source>
+        <translation>规划器 nav2：参数文件（`nav2_params.yaml`）或随附文件的名称；列表：多个文件（后面的覆盖前面的），以及 ROS 2 语法的单个值（`FollowPath.max_vel_x:=0.3`）</translation>
+    </message>
+    <message>
+        <source>Nav2 tree</source>
+        <translation>Nav2 树</translation>
+    </message>
+    <message>
+        <source>Planner nav2: the navigator&apos;s behaviour tree file or the name of a shipped one</source>
+        <translation>规划器 nav2：导航器的行为树文件或随附文件的名称</translation>
+    </message>
+    <message>
+        <source>Nav2 branch</source>
+        <translation>Nav2 分支</translation>
+    </message>
+    <message>
+        <source>Planner nav2: Nav2 branch whose defaults and algorithms are used; absent: detected from the parameter file</source>
+        <translation>规划器 nav2：使用其默认值和算法的 Nav2 分支；缺省：从参数文件中检测</translation>
+    </message>
+    <message>
+        <source>Nav2 topics</source>
+        <translation>Nav2 话题</translation>
+    </message>
+    <message>
+        <source>Planner nav2: topic messages and service calls, separated by `;`, each with a time [s], a name and the message: `12 controller_selector FollowPath2; 20 /pause`</source>
+        <translation>规划器 nav2：话题消息和服务调用，用 `;` 分隔，每项包含时间 [s]、名称和消息：`12 controller_selector FollowPath2; 20 /pause`</translation>
+    </message>
+    <message>
+        <source>Nav2 values</source>
+        <translation>Nav2 值</translation>
+    </message>
+    <message>
+        <source>Planner nav2: values that override those of the parameter file, by node and name</source>
+        <translation>规划器 nav2：覆盖参数文件的值，按节点和名称</translation>
+    </message>
+    <message>
+        <source>Body from Nav2</source>
+        <translation>机体取自 Nav2</translation>
+    </message>
+    <message>
+        <source>Planner nav2: true: radius or footprint are read from local_costmap in the parameter files</source>
+        <translation>规划器 nav2：true：从参数文件的 local_costmap 读取半径或轮廓</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Start pose: `x`, `y` and heading `h`</source>
+        <translation>起始位姿：`x`、`y` 和朝向 `h`</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Goal position: `x` and `y`</source>
+        <translation>目标位置：`x` 和 `y`</translation>
+    </message>
+    <message>
+        <source>Or route</source>
+        <translation>或路线</translation>
+    </message>
+    <message>
+        <source>Numbers of global goals in order, instead of `goal`</source>
+        <translation>按顺序的全局目标点编号，代替 `goal`</translation>
+    </message>
+    <message>
+        <source>Distance within which a goal is reached; with `nav2` the navigator decides</source>
+        <translation>在此距离内视为到达目标点；使用 `nav2` 时由导航器决定</translation>
+    </message>
+    <message>
+        <source>Starts at</source>
+        <translation>出发时间</translation>
+    </message>
+    <message>
+        <source>Time at which the robot starts</source>
+        <translation>机器人出发的时间</translation>
+    </message>
+    <message>
+        <source>Radius of the robot&apos;s circular body</source>
+        <translation>机器人圆形机体的半径</translation>
+    </message>
+    <message>
+        <source>Mass of the robot</source>
+        <translation>机器人的质量</translation>
+    </message>
+    <message>
+        <source>Maximum speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>转向速度</translation>
+    </message>
+    <message>
+        <source>Maximum turn rate</source>
+        <translation>最大转向速度</translation>
+    </message>
+    <message>
+        <source>Turn accel.</source>
+        <translation>转向加速度</translation>
+    </message>
+    <message>
+        <source>Maximum angular acceleration</source>
+        <translation>最大角加速度</translation>
+    </message>
+    <message>
+        <source>Footprint</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>X coordinates of the footprint&apos;s corners in the robot&apos;s frame; replaces the circular body</source>
+        <translation>机器人坐标系中轮廓顶点的 X 坐标；取代圆形机体</translation>
+    </message>
+    <message>
+        <source>Footprint y</source>
+        <translation>轮廓 y</translation>
+    </message>
+    <message>
+        <source>Y coordinates of these corners, as many as `footprint_x`</source>
+        <translation>这些顶点的 Y 坐标，数量与 `footprint_x` 相同</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>驱动方式</translation>
+    </message>
+    <message>
+        <source>Kinematics of the drive</source>
+        <translation>驱动的运动学</translation>
+    </message>
+    <message>
+        <source>Turning radius</source>
+        <translation>转弯半径</translation>
+    </message>
+    <message>
+        <source>Minimum turning radius of a robot with Ackermann steering</source>
+        <translation>阿克曼转向机器人的最小转弯半径</translation>
+    </message>
+    <message>
+        <source>Lidar</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>Lidar of the robot, keys below; absent: that of the robot type</source>
+        <translation>机器人的激光雷达，键见下文；缺省：机器人类型的激光雷达</translation>
+    </message>
+    <message>
+        <source>Detector</source>
+        <translation>检测器</translation>
+    </message>
+    <message>
+        <source>Detection of people and other robots, keys below</source>
+        <translation>行人和其他机器人的检测，键见下文</translation>
+    </message>
+    <message>
+        <source>Odometry noise</source>
+        <translation>里程计噪声</translation>
+    </message>
+    <message>
+        <source>Odometry errors, which accumulate; absent: none</source>
+        <translation>会累积的里程计误差；缺省：无</translation>
+    </message>
+    <message>
+        <source>Localization</source>
+        <translation>定位</translation>
+    </message>
+    <message>
+        <source>Errors and corrections of the localization (AMCL); absent: none</source>
+        <translation>定位（AMCL）的误差和修正；缺省：无</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>电池</translation>
+    </message>
+    <message>
+        <source>Battery of the robot; absent: it never runs low</source>
+        <translation>机器人的电池；缺省：电量永不耗尽</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>光束数</translation>
+    </message>
+    <message>
+        <source>Number of beams per scan; 0: no lidar; absent, here and below: that of the robot type</source>
+        <translation>每次扫描的光束数；0：无激光雷达；缺省（此处及以下）：机器人类型的值</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>量程</translation>
+    </message>
+    <message>
+        <source>Maximum range</source>
+        <translation>最大量程</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Scans per second</source>
+        <translation>每秒扫描次数</translation>
+    </message>
+    <message>
+        <source>Angle min</source>
+        <translation>最小角度</translation>
+    </message>
+    <message>
+        <source>Angle of the first beam</source>
+        <translation>第一束的角度</translation>
+    </message>
+    <message>
+        <source>Angle max</source>
+        <translation>最大角度</translation>
+    </message>
+    <message>
+        <source>Angle of the last beam; if it is a full turn after the first, the beams are spaced evenly</source>
+        <translation>最后一束的角度；若与第一束相差一整圈，则光束均匀分布</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Position in the robot&apos;s frame: forward</source>
+        <translation>机器人坐标系中的位置：向前</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Position in the robot&apos;s frame: to the left</source>
+        <translation>机器人坐标系中的位置：向左</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Orientation in the robot&apos;s frame</source>
+        <translation>机器人坐标系中的朝向</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured distance</source>
+        <translation>测量距离的标准差</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>双腿</translation>
+    </message>
+    <message>
+        <source>The lidar sees people as two legs, else as discs</source>
+        <translation>激光雷达将行人视为双腿，否则视为圆盘</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Write each scan to `scans.csv`</source>
+        <translation>将每次扫描写入 `scans.csv`</translation>
+    </message>
+    <message>
+        <source>People perception</source>
+        <translation>行人感知</translation>
+    </message>
+    <message>
+        <source>Detections of the sensors, or the exact state of all bodies everywhere, which ignores the keys below</source>
+        <translation>传感器的检测，或所有物体在任意位置的精确状态（此时忽略以下键）</translation>
+    </message>
+    <message>
+        <source>Maximum distance of a detected body&apos;s centre</source>
+        <translation>被检测物体中心的最大距离</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>视场</translation>
+    </message>
+    <message>
+        <source>Field of view, half of it to either side</source>
+        <translation>视野，左右各一半</translation>
+    </message>
+    <message>
+        <source>Detections per second; 0: one per time step</source>
+        <translation>每秒检测次数；0：每个时间步一次</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>延迟</translation>
+    </message>
+    <message>
+        <source>Delay between detection and planner</source>
+        <translation>检测与规划器之间的延迟</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each coordinate</source>
+        <translation>每个坐标的标准差</translation>
+    </message>
+    <message>
+        <source>Misses</source>
+        <translation>漏检</translation>
+    </message>
+    <message>
+        <source>Probability per detection of missing a visible body</source>
+        <translation>每次检测漏掉可见物体的概率</translation>
+    </message>
+    <message>
+        <source>Swaps</source>
+        <translation>互换</translation>
+    </message>
+    <message>
+        <source>Probability per detection of exchanging the ids of two people who are close</source>
+        <translation>每次检测互换两个相近行人 id 的概率</translation>
+    </message>
+    <message>
+        <source>Swap distance</source>
+        <translation>互换距离</translation>
+    </message>
+    <message>
+        <source>Distance below which the ids of two people may be exchanged</source>
+        <translation>低于此距离时两个行人的 id 可能互换</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>遮挡</translation>
+    </message>
+    <message>
+        <source>Walls and other bodies occlude</source>
+        <translation>墙和其他物体会造成遮挡</translation>
+    </message>
+    <message>
+        <source>Hidden share</source>
+        <translation>遮挡比例</translation>
+    </message>
+    <message>
+        <source>A body of which others occlude more than this share is not detected</source>
+        <translation>被遮挡超过此比例的物体不会被检测到</translation>
+    </message>
+    <message>
+        <source>Coast time</source>
+        <translation>滑行时间</translation>
+    </message>
+    <message>
+        <source>A track without detection is deleted after this time; until then it is extrapolated with constant velocity</source>
+        <translation>没有检测的轨迹在此时间后删除；在此之前以恒定速度外推</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Measured, or estimated from positions by a Kalman filter; absent: `filtered` with `noise`, else `measured`</source>
+        <translation>测量值，或用卡尔曼滤波器由位置估计；缺省：有 `noise` 时为 `filtered`，否则为 `measured`</translation>
+    </message>
+    <message>
+        <source>Acceleration noise</source>
+        <translation>加速度噪声</translation>
+    </message>
+    <message>
+        <source>Kalman filter: power of the acceleration noise of people</source>
+        <translation>卡尔曼滤波器：行人加速度噪声的功率</translation>
+    </message>
+    <message>
+        <source>Alpha1</source>
+        <translation>Alpha1</translation>
+    </message>
+    <message>
+        <source>Variance of the heading caused by rotation</source>
+        <translation>由旋转引起的朝向方差</translation>
+    </message>
+    <message>
+        <source>Alpha2</source>
+        <translation>Alpha2</translation>
+    </message>
+    <message>
+        <source>Variance of the heading caused by translation</source>
+        <translation>由平移引起的朝向方差</translation>
+    </message>
+    <message>
+        <source>Alpha3</source>
+        <translation>Alpha3</translation>
+    </message>
+    <message>
+        <source>Variance of the distance caused by translation</source>
+        <translation>由平移引起的距离方差</translation>
+    </message>
+    <message>
+        <source>Alpha4</source>
+        <translation>Alpha4</translation>
+    </message>
+    <message>
+        <source>Variance of the distance caused by rotation</source>
+        <translation>由旋转引起的距离方差</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>Rotation per metre driven forward that odometry does not measure</source>
+        <translation>每前进一米里程计未测到的旋转</translation>
+    </message>
+    <message>
+        <source>Std x</source>
+        <translation>x 标准差</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error in x, in the map</source>
+        <translation>地图中 x 误差的标准差</translation>
+    </message>
+    <message>
+        <source>Std y</source>
+        <translation>y 标准差</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error in y, in the map</source>
+        <translation>地图中 y 误差的标准差</translation>
+    </message>
+    <message>
+        <source>Std yaw</source>
+        <translation>朝向标准差</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the heading</source>
+        <translation>朝向误差的标准差</translation>
+    </message>
+    <message>
+        <source>Correlation time</source>
+        <translation>相关时间</translation>
+    </message>
+    <message>
+        <source>Time constant of the errors; 0: corrections are independent</source>
+        <translation>误差的时间常数；0：各次修正相互独立</translation>
+    </message>
+    <message>
+        <source>Jump rate</source>
+        <translation>跳变率</translation>
+    </message>
+    <message>
+        <source>Mean number of jumps of the estimate per second</source>
+        <translation>估计值每秒跳变的平均次数</translation>
+    </message>
+    <message>
+        <source>Jump distance</source>
+        <translation>跳变距离</translation>
+    </message>
+    <message>
+        <source>Length of a jump</source>
+        <translation>一次跳变的长度</translation>
+    </message>
+    <message>
+        <source>Jump yaw</source>
+        <translation>跳变角度</translation>
+    </message>
+    <message>
+        <source>Rotation of a jump, in either direction</source>
+        <translation>一次跳变的旋转，任意方向</translation>
+    </message>
+    <message>
+        <source>Corrections of map -&gt; odom per second; 0: only the first one; absent: 2 with an error, else 0</source>
+        <translation>map -&gt; odom 每秒修正次数；0：仅第一次；缺省：有误差时为 2，否则为 0</translation>
+    </message>
+    <message>
+        <source>Start x</source>
+        <translation>起点 x</translation>
+    </message>
+    <message>
+        <source>Error of the initial pose: x</source>
+        <translation>初始位姿误差：x</translation>
+    </message>
+    <message>
+        <source>Start y</source>
+        <translation>起点 y</translation>
+    </message>
+    <message>
+        <source>Error of the initial pose: y</source>
+        <translation>初始位姿误差：y</translation>
+    </message>
+    <message>
+        <source>Start yaw</source>
+        <translation>起点朝向</translation>
+    </message>
+    <message>
+        <source>Error of the initial pose: heading</source>
+        <translation>初始位姿误差：朝向</translation>
+    </message>
+    <message>
+        <source>Initial pose time</source>
+        <translation>初始位姿时间</translation>
+    </message>
+    <message>
+        <source>Time of the initial pose; there is no frame map before</source>
+        <translation>初始位姿的时间；在此之前没有 map 坐标系</translation>
+    </message>
+    <message>
+        <source>Global std</source>
+        <translation>全局标准差</translation>
+    </message>
+    <message>
+        <source>Standard deviation of x and y after a global localization</source>
+        <translation>全局定位后 x 和 y 的标准差</translation>
+    </message>
+    <message>
+        <source>Global std yaw</source>
+        <translation>全局朝向标准差</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the heading after a global localization</source>
+        <translation>全局定位后朝向的标准差</translation>
+    </message>
+    <message>
+        <source>Capacity</source>
+        <translation>容量</translation>
+    </message>
+    <message>
+        <source>Stored energy when full; absent: the battery never runs low</source>
+        <translation>充满时存储的能量；缺省：电量永不耗尽</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>电量</translation>
+    </message>
+    <message>
+        <source>State of charge at the start</source>
+        <translation>起始时的荷电状态</translation>
+    </message>
+    <message>
+        <source>Idle power</source>
+        <translation>待机功率</translation>
+    </message>
+    <message>
+        <source>Power consumption at standstill</source>
+        <translation>静止时的功耗</translation>
+    </message>
+    <message>
+        <source>Motion power</source>
+        <translation>运动功率</translation>
+    </message>
+    <message>
+        <source>Additional power consumption at top speed or top turn rate; proportional below</source>
+        <translation>最大速度或最大转向速度时的附加功耗；低于此按比例计算</translation>
+    </message>
+    <message>
+        <source>Charge power</source>
+        <translation>充电功率</translation>
+    </message>
+    <message>
+        <source>Charging power at a charging dock</source>
+        <translation>在充电桩充电的功率</translation>
+    </message>
+    <message>
+        <source>Empty voltage</source>
+        <translation>空电电压</translation>
+    </message>
+    <message>
+        <source>Voltage of the empty battery</source>
+        <translation>电池耗尽时的电压</translation>
+    </message>
+    <message>
+        <source>Full voltage</source>
+        <translation>满电电压</translation>
+    </message>
+    <message>
+        <source>Voltage of the full battery; linear in between</source>
+        <translation>电池充满时的电压；其间为线性</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>种类</translation>
+    </message>
+    <message>
+        <source>Shape; each shape uses some of the other keys</source>
+        <translation>形状；每种形状使用部分其他键</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>Direction of `length`</source>
+        <translation>`length` 的方向</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Size along the heading</source>
+        <translation>沿朝向的尺寸</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Size across the heading</source>
+        <translation>垂直于朝向的尺寸</translation>
+    </message>
+    <message>
+        <source>Radius of the circle</source>
+        <translation>圆的半径</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>X coordinates of the corners</source>
+        <translation>顶点的 X 坐标</translation>
+    </message>
+    <message>
+        <source>Ys</source>
+        <translation>Ys</translation>
+    </message>
+    <message>
+        <source>Y coordinates of the corners, as many as `xs`</source>
+        <translation>顶点的 Y 坐标，数量与 `xs` 相同</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>From X</source>
+        <translation>起点 X</translation>
+    </message>
+    <message>
+        <source>First end</source>
+        <translation>第一端</translation>
+    </message>
+    <message>
+        <source>From Y</source>
+        <translation>起点 Y</translation>
+    </message>
+    <message>
+        <source>To X</source>
+        <translation>终点 X</translation>
+    </message>
+    <message>
+        <source>Second end</source>
+        <translation>第二端</translation>
+    </message>
+    <message>
+        <source>To Y</source>
+        <translation>终点 Y</translation>
+    </message>
+    <message>
+        <source>Open at start</source>
+        <translation>起始时打开</translation>
+    </message>
+    <message>
+        <source>Whether the door is open at the start</source>
+        <translation>门在起始时是否打开</translation>
+    </message>
+    <message>
+        <source>Toggles at</source>
+        <translation>切换时间</translation>
+    </message>
+    <message>
+        <source>Times at which the door opens or closes</source>
+        <translation>门打开或关闭的时间</translation>
+    </message>
+    <message>
+        <source>Purpose of the area</source>
+        <translation>区域的用途</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Source: the person that is copied</source>
+        <translation>源：被复制的行人</translation>
+    </message>
+    <message>
+        <source>Source: people per second</source>
+        <translation>源：每秒行人数</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Source: people are spawned from this time on</source>
+        <translation>源：从此时间起生成行人</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>Source: no people are spawned after this time</source>
+        <translation>源：此时间之后不再生成行人</translation>
+    </message>
+    <message>
+        <source>Max. people</source>
+        <translation>最多人数</translation>
+    </message>
+    <message>
+        <source>Source: maximum number of people</source>
+        <translation>源：最大行人数</translation>
+    </message>
+    <message>
+        <source>Speed factor</source>
+        <translation>速度系数</translation>
+    </message>
+    <message>
+        <source>Speed: factor of the walking speed of people inside</source>
+        <translation>速度：区域内行人行走速度的系数</translation>
+    </message>
+    <message>
+        <source>Carrying speed</source>
+        <translation>运载速度</translation>
+    </message>
+    <message>
+        <source>Speed: speed with which people inside are carried, as by a travelator</source>
+        <translation>速度：运载区域内行人的速度，如自动步道</translation>
+    </message>
+    <message>
+        <source>Carrying direction</source>
+        <translation>运载方向</translation>
+    </message>
+    <message>
+        <source>Speed: direction in which they are carried</source>
+        <translation>速度：运载行人的方向</translation>
+    </message>
+    <message>
+        <source>Whether the dock charges robots</source>
+        <translation>充电桩是否为机器人充电</translation>
+    </message>
+    <message>
+        <source>Centre of a docked robot</source>
+        <translation>停靠机器人的中心</translation>
+    </message>
+    <message>
+        <source>Heading of a robot that docks forward</source>
+        <translation>向前停靠的机器人的朝向</translation>
+    </message>
+    <message>
+        <source>Card</source>
+        <translation>卡片</translation>
+    </message>
+    <message>
+        <source>Description of the scenario: what it tests, with its source</source>
+        <translation>场景说明：测试内容及其来源</translation>
+    </message>
+    <message>
+        <source>Map file</source>
+        <translation>地图文件</translation>
+    </message>
+    <message>
+        <source>Map file, relative to the scenario; `none`: open plane; absent: the file of `map` is searched</source>
+        <translation>地图文件，相对于场景；`none`：开阔平面；缺省：查找 `map` 的文件</translation>
+    </message>
+    <message>
+        <source>Map rule</source>
+        <translation>地图规则</translation>
+    </message>
+    <message>
+        <source>Nav2 branch whose rule for grey pixels is used</source>
+        <translation>使用其灰色像素规则的 Nav2 分支</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Random seed; the same seed reproduces the run</source>
+        <translation>随机种子；相同的种子可重现运行</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s</source>
+        <translation>时间限制；缺省：机器人到达 1 s 后结束运行，最多 120 s</translation>
+    </message>
+    <message>
+        <source>End on contact</source>
+        <translation>接触时结束</translation>
+    </message>
+    <message>
+        <source>Contacts of a robot on its route that end the run; `any`: with people, robots or walls</source>
+        <translation>机器人在路线上结束运行的接触；`any`：与行人、机器人或墙</translation>
+    </message>
+    <message>
+        <source>Stuck after</source>
+        <translation>被困判定</translation>
+    </message>
+    <message>
+        <source>A robot is stuck if it makes no progress for this long; the run ends if no other robot makes progress; 0: never</source>
+        <translation>机器人在此时间内无进展即视为被困；若其他机器人也无进展则结束运行；0：从不</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>时间步</translation>
+    </message>
+    <message>
+        <source>Record every</source>
+        <translation>记录间隔</translation>
+    </message>
+    <message>
+        <source>Time steps from one recorded sample to the next</source>
+        <translation>两次记录的样本之间的时间步数</translation>
+    </message>
+    <message>
+        <source>Pedestrian model, see `list models`</source>
+        <translation>行人模型，见 `list models`</translation>
+    </message>
+    <message>
+        <source>Model parameters</source>
+        <translation>模型参数</translation>
+    </message>
+    <message>
+        <source>Parameters of models, below the name of each, see `list models --format json`</source>
+        <translation>各模型的参数，位于其名称之下，见 `list models --format json`</translation>
+    </message>
+    <message>
+        <source>Paths planned around walls, or straight lines as in HuNavSim</source>
+        <translation>绕墙规划的路径，或与 HuNavSim 相同的直线</translation>
+    </message>
+    <message>
+        <source>Wall force from</source>
+        <translation>墙力来源</translation>
+    </message>
+    <message>
+        <source>Wall forces from the nearest points of walls, or from the hits of rays as of a lidar</source>
+        <translation>由墙的最近点或类似激光雷达的射线命中点计算墙力</translation>
+    </message>
+    <message>
+        <source>Loop trees</source>
+        <translation>循环树</translation>
+    </message>
+    <message>
+        <source>Restart a tree that has ended</source>
+        <translation>重新开始已结束的树</translation>
+    </message>
+    <message>
+        <source>Corridor</source>
+        <translation>走廊</translation>
+    </message>
+    <message>
+        <source>Periodic corridor: people who pass the second x re-enter at the first</source>
+        <translation>周期性走廊：越过第二个 x 的行人从第一个 x 重新进入</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>群组</translation>
+    </message>
+    <message>
+        <source>Names of groups by their numbers</source>
+        <translation>按编号的群组名称</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>变化</translation>
+    </message>
+    <message>
+        <source>Variation of people between seeds</source>
+        <translation>行人在种子间的变化</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Name of the scenario in lists</source>
+        <translation>场景在列表中的名称</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Group of scenarios that it belongs to</source>
+        <translation>所属的场景组</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>目的</translation>
+    </message>
+    <message>
+        <source>What the scenario tests</source>
+        <translation>场景测试的内容</translation>
+    </message>
+    <message>
+        <source>Task of the robot</source>
+        <translation>机器人任务</translation>
+    </message>
+    <message>
+        <source>What the robot has to do</source>
+        <translation>机器人需要做什么</translation>
+    </message>
+    <message>
+        <source>What people do</source>
+        <translation>行人行为</translation>
+    </message>
+    <message>
+        <source>Expected outcome</source>
+        <translation>预期结果</translation>
+    </message>
+    <message>
+        <source>What is expected of a good robot</source>
+        <translation>对优秀机器人的期望</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Keys of the metrics to read, see `list metrics`; the first one compares planners</source>
+        <translation>要查看的指标的键，见 `list metrics`；第一个用于比较规划器</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>难度</translation>
+    </message>
+    <message>
+        <source>Difficulty for the robot</source>
+        <translation>对机器人的难度</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Publication or standard that it is from</source>
+        <translation>所依据的出版物或标准</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>许可证</translation>
+    </message>
+    <message>
+        <source>Licence of the scenario and its map</source>
+        <translation>场景及其地图的许可证</translation>
+    </message>
+    <message>
+        <source>Expected events</source>
+        <translation>预期事件</translation>
+    </message>
+    <message>
+        <source>What happens in a run without robots, see below; `check --certify` tests it</source>
+        <translation>没有机器人的运行中发生的事件，见下文；`check --certify` 对其检验</translation>
+    </message>
+    <message>
+        <source>Amount of variation of people between seeds; keys of a quantity take precedence</source>
+        <translation>行人在种子间的变化程度；各量的键优先</translation>
+    </message>
+    <message>
+        <source>Start time: kind</source>
+        <translation>出发时间：类型</translation>
+    </message>
+    <message>
+        <source>Added to the start time; absent: that of the preset</source>
+        <translation>加到出发时间上；缺省：预设的值</translation>
+    </message>
+    <message>
+        <source>Start time: deviation</source>
+        <translation>出发时间：标准差</translation>
+    </message>
+    <message>
+        <source>Normal: standard deviation</source>
+        <translation>正态：标准差</translation>
+    </message>
+    <message>
+        <source>Start time: half width</source>
+        <translation>出发时间：半宽</translation>
+    </message>
+    <message>
+        <source>Uniform: half of the width</source>
+        <translation>均匀：宽度的一半</translation>
+    </message>
+    <message>
+        <source>Start time: minimum</source>
+        <translation>出发时间：最小值</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>下限</translation>
+    </message>
+    <message>
+        <source>Start time: maximum</source>
+        <translation>出发时间：最大值</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>Start: kind</source>
+        <translation>起点：类型</translation>
+    </message>
+    <message>
+        <source>Added to x and y of the start; absent: that of the preset</source>
+        <translation>加到起点的 x 和 y 上；缺省：预设的值</translation>
+    </message>
+    <message>
+        <source>Start: deviation</source>
+        <translation>起点：标准差</translation>
+    </message>
+    <message>
+        <source>Start: half width</source>
+        <translation>起点：半宽</translation>
+    </message>
+    <message>
+        <source>Start: minimum</source>
+        <translation>起点：最小值</translation>
+    </message>
+    <message>
+        <source>Start: maximum</source>
+        <translation>起点：最大值</translation>
+    </message>
+    <message>
+        <source>Heading: kind</source>
+        <translation>朝向：类型</translation>
+    </message>
+    <message>
+        <source>Added to the heading at the start; absent: that of the preset</source>
+        <translation>加到起始朝向上；缺省：预设的值</translation>
+    </message>
+    <message>
+        <source>Heading: deviation</source>
+        <translation>朝向：标准差</translation>
+    </message>
+    <message>
+        <source>Heading: half width</source>
+        <translation>朝向：半宽</translation>
+    </message>
+    <message>
+        <source>Heading: minimum</source>
+        <translation>朝向：最小值</translation>
+    </message>
+    <message>
+        <source>Heading: maximum</source>
+        <translation>朝向：最大值</translation>
+    </message>
+    <message>
+        <source>Speed: kind</source>
+        <translation>速度：类型</translation>
+    </message>
+    <message>
+        <source>Factor of max_vel; absent: that of the preset</source>
+        <translation>max_vel 的系数；缺省：预设的值</translation>
+    </message>
+    <message>
+        <source>Speed: deviation</source>
+        <translation>速度：标准差</translation>
+    </message>
+    <message>
+        <source>Speed: half width</source>
+        <translation>速度：半宽</translation>
+    </message>
+    <message>
+        <source>Speed: minimum</source>
+        <translation>速度：最小值</translation>
+    </message>
+    <message>
+        <source>Speed: maximum</source>
+        <translation>速度：最大值</translation>
+    </message>
+    <message>
+        <source>Reaction time: kind</source>
+        <translation>反应时间：类型</translation>
+    </message>
+    <message>
+        <source>Factor of the reaction time; absent: that of the preset</source>
+        <translation>反应时间的系数；缺省：预设的值</translation>
+    </message>
+    <message>
+        <source>Reaction time: deviation</source>
+        <translation>反应时间：标准差</translation>
+    </message>
+    <message>
+        <source>Reaction time: half width</source>
+        <translation>反应时间：半宽</translation>
+    </message>
+    <message>
+        <source>Reaction time: minimum</source>
+        <translation>反应时间：最小值</translation>
+    </message>
+    <message>
+        <source>Reaction time: maximum</source>
+        <translation>反应时间：最大值</translation>
+    </message>
+    <message>
+        <source>First goal: kind</source>
+        <translation>首个目标点：类型</translation>
+    </message>
+    <message>
+        <source>Number of goals of a repeated route that are skipped at first; absent: that of the preset</source>
+        <translation>重复路线起初跳过的目标点数；缺省：预设的值</translation>
+    </message>
+    <message>
+        <source>First goal: deviation</source>
+        <translation>首个目标点：标准差</translation>
+    </message>
+    <message>
+        <source>First goal: half width</source>
+        <translation>首个目标点：半宽</translation>
+    </message>
+    <message>
+        <source>First goal: minimum</source>
+        <translation>首个目标点：最小值</translation>
+    </message>
+    <message>
+        <source>First goal: maximum</source>
+        <translation>首个目标点：最大值</translation>
+    </message>
+    <message>
+        <source>Start of the measurement: begin, goal, motion, time 5.0 or event contact</source>
+        <translation>测量的开始：begin、goal、motion、time 5.0 或 event contact</translation>
+    </message>
+    <message>
+        <source>End of the measurement: end, arrival, time 20.0 or event contact</source>
+        <translation>测量的结束：end、arrival、time 20.0 或 event contact</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Sampling rate; 0: every recorded sample</source>
+        <translation>采样率；0：每个记录的样本</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Name of the experiment in the results</source>
+        <translation>结果中的实验名称</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>运行编号</translation>
+    </message>
+    <message>
+        <source>Number of the run in the results</source>
+        <translation>结果中的运行编号</translation>
+    </message>
+    <message>
+        <source>Metrics file</source>
+        <translation>指标文件</translation>
+    </message>
+    <message>
+        <source>File that selects the metrics, relative to the scenario; absent: all metrics</source>
+        <translation>选择指标的文件，相对于场景；缺省：所有指标</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>Thresholds of metrics: name and value of each</source>
+        <translation>指标的阈值：各阈值的名称和值</translation>
+    </message>
+    <message>
+        <source>Dynamic window approach (Fox, Burgard &amp; Thrun 1997): scores the arcs that the robot can drive next.</source>
+        <translation>动态窗口法（Fox、Burgard 和 Thrun 1997）：对机器人接下来可行驶的圆弧评分。</translation>
+    </message>
+    <message>
+        <source>Linear samples</source>
+        <translation>线速度样本</translation>
+    </message>
+    <message>
+        <source>Sampled speeds; omnidirectional: the total number of samples is distributed evenly.</source>
+        <translation>采样的速度数；全向：样本总数均匀分配。</translation>
+    </message>
+    <message>
+        <source>Angular samples</source>
+        <translation>角速度样本</translation>
+    </message>
+    <message>
+        <source>Sampled turn rates for each speed.</source>
+        <translation>每个速度采样的转向速度数。</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>Time within which a sampled velocity must be reachable.</source>
+        <translation>采样速度必须在此时间内可达。</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation>时域</translation>
+    </message>
+    <message>
+        <source>Time for which arcs are simulated; longer if braking takes longer.</source>
+        <translation>模拟圆弧的时间；若制动时间更长则更长。</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Time between two checks along an arc.</source>
+        <translation>沿圆弧两次检查之间的时间。</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>余量</translation>
+    </message>
+    <message>
+        <source>Minimum distance to walls and people.</source>
+        <translation>与墙和行人的最小距离。</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>间隙</translation>
+    </message>
+    <message>
+        <source>Clearance above which more clearance does not improve the score of an arc.</source>
+        <translation>超过此间隙后，更大的间隙不再提高圆弧的评分。</translation>
+    </message>
+    <message>
+        <source>Goal weight</source>
+        <translation>目标权重</translation>
+    </message>
+    <message>
+        <source>Weight of the remaining path length at the end of an arc.</source>
+        <translation>圆弧末端剩余路径长度的权重。</translation>
+    </message>
+    <message>
+        <source>Heading weight</source>
+        <translation>朝向权重</translation>
+    </message>
+    <message>
+        <source>Weight of the remaining rotation at the position where the robot would stop if it braked.</source>
+        <translation>机器人制动停下位置处剩余旋转的权重。</translation>
+    </message>
+    <message>
+        <source>Clearance weight</source>
+        <translation>间隙权重</translation>
+    </message>
+    <message>
+        <source>Weight of missing clearance along an arc.</source>
+        <translation>沿圆弧缺少的间隙的权重。</translation>
+    </message>
+    <message>
+        <source>Velocity weight</source>
+        <translation>速度权重</translation>
+    </message>
+    <message>
+        <source>Weight of the difference to the maximum speed.</source>
+        <translation>与最大速度之差的权重。</translation>
+    </message>
+    <message>
+        <source>Smoothness weight</source>
+        <translation>平滑权重</translation>
+    </message>
+    <message>
+        <source>Weight of the difference from the last command.</source>
+        <translation>与上一条指令之差的权重。</translation>
+    </message>
+    <message>
+        <source>Slow distance</source>
+        <translation>减速距离</translation>
+    </message>
+    <message>
+        <source>Gap to a person ahead below which the robot slows down.</source>
+        <translation>与前方行人的间距低于此值时机器人减速。</translation>
+    </message>
+    <message>
+        <source>Slow share</source>
+        <translation>慢速比例</translation>
+    </message>
+    <message>
+        <source>Share of the maximum speed close to a person.</source>
+        <translation>靠近行人时占最大速度的比例。</translation>
+    </message>
+    <message>
+        <source>Standing speed</source>
+        <translation>站立速度</translation>
+    </message>
+    <message>
+        <source>People below this speed count as standing: the path leads around them.</source>
+        <translation>低于此速度的行人视为站立：路径会绕过他们。</translation>
+    </message>
+    <message>
+        <source>Patience</source>
+        <translation>耐心</translation>
+    </message>
+    <message>
+        <source>Time without progress after which the robot backs off and tries again.</source>
+        <translation>无进展超过此时间后机器人后退并重试。</translation>
+    </message>
+    <message>
+        <source>Reverse distance</source>
+        <translation>后退距离</translation>
+    </message>
+    <message>
+        <source>Distance that it backs off.</source>
+        <translation>后退的距离。</translation>
+    </message>
+    <message>
+        <source>An external planner: a program that is called in every time step.</source>
+        <translation>外部规划器：每个时间步调用的程序。</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>超时</translation>
+    </message>
+    <message>
+        <source>Maximum response time of the program in the robot&apos;s `command`.</source>
+        <translation>机器人 `command` 中程序的最长响应时间。</translation>
+    </message>
+    <message>
+        <source>An external planner in a shared library.</source>
+        <translation>共享库中的外部规划器。</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Shared library of the planner (hunavsim_planner.h), relative to the scenario; needs permission to run code.</source>
+        <translation>规划器的共享库（hunavsim_planner.h），相对于场景；需要运行代码的许可。</translation>
+    </message>
+    <message>
+        <source>Model predictive path integral control (Williams et al. 2017): the weighted mean of many noisy trajectories.</source>
+        <translation>模型预测路径积分控制（Williams 等 2017）：大量带噪声轨迹的加权平均。</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>样本数</translation>
+    </message>
+    <message>
+        <source>Trajectories sampled in each cycle, rounded up to a multiple of 16.</source>
+        <translation>每个周期采样的轨迹数，向上取整为 16 的倍数。</translation>
+    </message>
+    <message>
+        <source>Time steps</source>
+        <translation>时间步</translation>
+    </message>
+    <message>
+        <source>Time steps of each trajectory.</source>
+        <translation>每条轨迹的时间步数。</translation>
+    </message>
+    <message>
+        <source>Model dt</source>
+        <translation>模型 dt</translation>
+    </message>
+    <message>
+        <source>Duration of a time step of the trajectories.</source>
+        <translation>轨迹一个时间步的时长。</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>lambda: cost difference that changes the weight of a trajectory by the factor e.</source>
+        <translation>lambda：使轨迹权重改变 e 倍的代价差。</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
+    </message>
+    <message>
+        <source>Weight of the control cost: lambda (1 - alpha).</source>
+        <translation>控制代价的权重：lambda (1 - alpha)。</translation>
+    </message>
+    <message>
+        <source>Linear noise</source>
+        <translation>线速度噪声</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on the forward speed.</source>
+        <translation>前进速度噪声的标准差。</translation>
+    </message>
+    <message>
+        <source>Angular noise</source>
+        <translation>角速度噪声</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on the turn rate.</source>
+        <translation>转向速度噪声的标准差。</translation>
+    </message>
+    <message>
+        <source>Lateral noise</source>
+        <translation>横向噪声</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on the lateral speed (omnidirectional).</source>
+        <translation>横向速度噪声的标准差（全向）。</translation>
+    </message>
+    <message>
+        <source>Noise time</source>
+        <translation>噪声时间</translation>
+    </message>
+    <message>
+        <source>Time in which the autocorrelation of the noise decays to 1/e; 0: white noise, as in Nav2.</source>
+        <translation>噪声自相关衰减到 1/e 的时间；0：白噪声，与 Nav2 相同。</translation>
+    </message>
+    <message>
+        <source>Cost of the mean remaining distance, around walls.</source>
+        <translation>绕墙的平均剩余距离的代价。</translation>
+    </message>
+    <message>
+        <source>End weight</source>
+        <translation>末端权重</translation>
+    </message>
+    <message>
+        <source>Cost of the remaining distance at the end of a trajectory.</source>
+        <translation>轨迹末端剩余距离的代价。</translation>
+    </message>
+    <message>
+        <source>Cost of a heading away from the path to the goal (not for omnidirectional robots).</source>
+        <translation>朝向偏离通往目标路径的代价（全向机器人除外）。</translation>
+    </message>
+    <message>
+        <source>Reverse weight</source>
+        <translation>倒车权重</translation>
+    </message>
+    <message>
+        <source>Cost of the mean reverse speed (not for omnidirectional robots).</source>
+        <translation>平均倒车速度的代价（全向机器人除外）。</translation>
+    </message>
+    <message>
+        <source>Stop weight</source>
+        <translation>停车权重</translation>
+    </message>
+    <message>
+        <source>Cost of the squared speed inside the goal region.</source>
+        <translation>目标区域内速度平方的代价。</translation>
+    </message>
+    <message>
+        <source>Wall weight</source>
+        <translation>墙权重</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a wall, decreasing quadratically to 0 at wall_range.</source>
+        <translation>与墙接触的代价，在 wall_range 处按二次方降至 0。</translation>
+    </message>
+    <message>
+        <source>Wall range</source>
+        <translation>墙范围</translation>
+    </message>
+    <message>
+        <source>Gap to walls from which the cost is 0.</source>
+        <translation>与墙的间距达到此值时代价为 0。</translation>
+    </message>
+    <message>
+        <source>Person weight</source>
+        <translation>行人权重</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person, decreasing to 0 at person_range.</source>
+        <translation>与行人接触的代价，在 person_range 处降至 0。</translation>
+    </message>
+    <message>
+        <source>Person range</source>
+        <translation>行人范围</translation>
+    </message>
+    <message>
+        <source>Gap to a person from which the cost is 0.</source>
+        <translation>与行人的间距达到此值时代价为 0。</translation>
+    </message>
+    <message>
+        <source>Person margin</source>
+        <translation>行人余量</translation>
+    </message>
+    <message>
+        <source>A smaller gap to a person counts as a contact.</source>
+        <translation>与行人的间距更小时视为接触。</translation>
+    </message>
+    <message>
+        <source>Contact weight</source>
+        <translation>接触权重</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person or an obstacle along the whole trajectory.</source>
+        <translation>整条轨迹上与行人或障碍物接触的代价。</translation>
+    </message>
+    <message>
+        <source>Cost of changing the speed at the limits of the drive all the time.</source>
+        <translation>始终以驱动极限改变速度的代价。</translation>
+    </message>
+    <message>
+        <source>Optimal reciprocal collision avoidance (ORCA) for the kinematics of the robot (NH-ORCA).</source>
+        <translation>适用于机器人运动学的最优互惠避碰 (ORCA)（NH-ORCA）。</translation>
+    </message>
+    <message>
+        <source>tau: time for which the selected velocity is free of collisions with people and robots.</source>
+        <translation>tau：所选速度与行人和机器人无碰撞的时间。</translation>
+    </message>
+    <message>
+        <source>Wall horizon</source>
+        <translation>墙时域</translation>
+    </message>
+    <message>
+        <source>Time for which the selected velocity is free of collisions with walls.</source>
+        <translation>所选速度与墙无碰撞的时间。</translation>
+    </message>
+    <message>
+        <source>Tracking error</source>
+        <translation>跟踪误差</translation>
+    </message>
+    <message>
+        <source>epsilon: maximum distance of the robot from the position that results from the selected velocity; less beside people and walls. Its radius is enlarged by this. Not for omnidirectional robots.</source>
+        <translation>epsilon：机器人与所选速度对应位置的最大距离；在行人和墙附近更小。其半径相应增大。全向机器人除外。</translation>
+    </message>
+    <message>
+        <source>Turn time</source>
+        <translation>转向时间</translation>
+    </message>
+    <message>
+        <source>T: time in which the robot turns into the direction of the selected velocity, unless its angular acceleration takes longer.</source>
+        <translation>T：机器人转到所选速度方向的时间，除非其角加速度需要更长时间。</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>份额</translation>
+    </message>
+    <message>
+        <source>Share of the avoidance of a person that the robot takes: 0.5: people take the other half, 1: people do not avoid.</source>
+        <translation>机器人承担的避让份额：0.5：行人承担另一半，1：行人不避让。</translation>
+    </message>
+    <message>
+        <source>Robot share</source>
+        <translation>机器人份额</translation>
+    </message>
+    <message>
+        <source>Share of the avoidance of another robot that the robot takes.</source>
+        <translation>机器人承担的对另一机器人的避让份额。</translation>
+    </message>
+    <message>
+        <source>Distance to people and robots in addition to both radii.</source>
+        <translation>除两者半径之外与行人和机器人的距离。</translation>
+    </message>
+    <message>
+        <source>People and robots farther away are ignored.</source>
+        <translation>忽略更远的行人和机器人。</translation>
+    </message>
+    <message>
+        <source>Lookahead</source>
+        <translation>前视距离</translation>
+    </message>
+    <message>
+        <source>Distance along the route to the target point; at least 1.5 turning radii.</source>
+        <translation>沿路线到目标位置的距离；至少为 1.5 倍转弯半径。</translation>
+    </message>
+    <message>
+        <source>Side preference</source>
+        <translation>侧向偏好</translation>
+    </message>
+    <message>
+        <source>Rotation of the desired velocity to the right if people are in its way.</source>
+        <translation>有行人挡路时期望速度向右的旋转。</translation>
+    </message>
+    <message>
+        <source>Pure pursuit of the route (Coulter 1992); slows down for people ahead.</source>
+        <translation>路线的纯追踪 (Coulter 1992)；前方有行人时减速。</translation>
+    </message>
+    <message>
+        <source>Distance along the path to the target point.</source>
+        <translation>沿路径到目标位置的距离。</translation>
+    </message>
+    <message>
+        <source>Stop distance</source>
+        <translation>停止距离</translation>
+    </message>
+    <message>
+        <source>Gap to a person ahead at which the robot stops.</source>
+        <translation>与前方行人的间距达到此值时机器人停下。</translation>
+    </message>
+    <message>
+        <source>Replays recorded velocities and ignores obstacles.</source>
+        <translation>重放录制的速度并忽略障碍物。</translation>
+    </message>
+    <message>
+        <source>CSV with time,linear,angular and optionally lateral, or the trajectory.csv of a run; relative to the scenario.</source>
+        <translation>包含 time,linear,angular（可选 lateral）的 CSV，或某次运行的 trajectory.csv；相对于场景。</translation>
+    </message>
+    <message>
+        <source>Id of the robot whose velocities are read from a trajectory.csv.</source>
+        <translation>从 trajectory.csv 读取其速度的机器人的 id。</translation>
+    </message>
+    <message>
+        <source>Moves like a person of the social force model.</source>
+        <translation>像社会力模型的行人一样移动。</translation>
+    </message>
+    <message>
+        <source>Goal factor</source>
+        <translation>目标系数</translation>
+    </message>
+    <message>
+        <source>k_g: weight of the attractive force along the route.</source>
+        <translation>k_g：沿路线吸引力的权重。</translation>
+    </message>
+    <message>
+        <source>Relaxation time</source>
+        <translation>弛豫时间</translation>
+    </message>
+    <message>
+        <source>tau: relaxation time of the velocity towards the desired one.</source>
+        <translation>tau：速度趋于期望速度的弛豫时间。</translation>
+    </message>
+    <message>
+        <source>Obstacle factor</source>
+        <translation>障碍物系数</translation>
+    </message>
+    <message>
+        <source>k_o: force of a wall in contact with the robot. It turns the robot aside, never back.</source>
+        <translation>k_o：与机器人接触的墙的力。它使机器人转向侧面，从不后退。</translation>
+    </message>
+    <message>
+        <source>Obstacle range</source>
+        <translation>障碍物范围</translation>
+    </message>
+    <message>
+        <source>sigma: distance over which the force of walls decays to 1/e.</source>
+        <translation>sigma：墙力衰减到 1/e 的距离。</translation>
+    </message>
+    <message>
+        <source>Social factor</source>
+        <translation>社会系数</translation>
+    </message>
+    <message>
+        <source>k_s: weight of the forces of people and robots.</source>
+        <translation>k_s：行人和机器人的力的权重。</translation>
+    </message>
+    <message>
+        <source>Lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Weight of the relative velocity in the direction of an interaction.</source>
+        <translation>相互作用方向上相对速度的权重。</translation>
+    </message>
+    <message>
+        <source>Range of an interaction per length of the interaction vector.</source>
+        <translation>每单位相互作用矢量长度的作用范围。</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Angular width of the evasion term.</source>
+        <translation>回避项的角宽度。</translation>
+    </message>
+    <message>
+        <source>N prime</source>
+        <translation>N&apos;</translation>
+    </message>
+    <message>
+        <source>Angular width of the deceleration term.</source>
+        <translation>减速项的角宽度。</translation>
+    </message>
+    <message>
+        <source>Epsilon</source>
+        <translation>Epsilon</translation>
+    </message>
+    <message>
+        <source>Bias to one side for people who meet head-on.</source>
+        <translation>迎面相遇的行人向一侧的偏置。</translation>
+    </message>
+    <message>
+        <source>Desired speed</source>
+        <translation>期望速度</translation>
+    </message>
+    <message>
+        <source>v_0: desired speed, limited by the drive.</source>
+        <translation>v_0：期望速度，受驱动限制。</translation>
+    </message>
+    <message>
+        <source>T: time in which the robot turns into the direction of the desired velocity, unless its angular acceleration takes longer.</source>
+        <translation>T：机器人转到期望速度方向的时间，除非其角加速度需要更长时间。</translation>
+    </message>
+    <message>
+        <source>Gap to a person below which the robot does not approach.</source>
+        <translation>与行人的间距低于此值时机器人不再靠近。</translation>
+    </message>
+    <message>
+        <source>Slow time</source>
+        <translation>减速时间</translation>
+    </message>
+    <message>
+        <source>The approach speed to a person is at most the gap beyond the stop distance divided by this time.</source>
+        <translation>接近行人的速度最多为超出停止距离的间距除以此时间。</translation>
+    </message>
+    <message>
+        <source>Distance along the route to the attracting point; at least 1.5 turning radii.</source>
+        <translation>沿路线到吸引点的距离；至少为 1.5 倍转弯半径。</translation>
+    </message>
+    <message>
+        <source>MPPI that predicts people, yields to them and avoids groups.</source>
+        <translation>预测行人、礼让行人并避开群组的 MPPI。</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>预测</translation>
+    </message>
+    <message>
+        <source>Prediction of people: 0: constant velocity, 1: social force model with walls and the robot&apos;s plan.</source>
+        <translation>行人预测：0：恒定速度，1：包含墙和机器人规划的社会力模型。</translation>
+    </message>
+    <message>
+        <source>Intimate weight</source>
+        <translation>亲密权重</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person, decreasing linearly to 0 at a gap of 0.45 m.</source>
+        <translation>与行人接触的代价，在间距 0.45 m 处线性降至 0。</translation>
+    </message>
+    <message>
+        <source>Personal weight</source>
+        <translation>个人权重</translation>
+    </message>
+    <message>
+        <source>Cost of contact with a person, decreasing quadratically to 0 at a gap of 1.2 m.</source>
+        <translation>与行人接触的代价，在间距 1.2 m 处按二次方降至 0。</translation>
+    </message>
+    <message>
+        <source>Space weight</source>
+        <translation>空间权重</translation>
+    </message>
+    <message>
+        <source>Cost at the centre of the personal space: a Gaussian that is longer in front of walking people.</source>
+        <translation>个人空间中心的代价：在行走的行人前方更长的高斯函数。</translation>
+    </message>
+    <message>
+        <source>Group weight</source>
+        <translation>群组权重</translation>
+    </message>
+    <message>
+        <source>Cost at the centre of the space shared by two people who stand face to face.</source>
+        <translation>面对面站立的两人共享空间中心的代价。</translation>
+    </message>
+    <message>
+        <source>Ttc weight</source>
+        <translation>TTC 权重</translation>
+    </message>
+    <message>
+        <source>Cost of approaching a person nearby, with the square of ttc_limit / time - 1.</source>
+        <translation>接近附近行人的代价，为 ttc_limit / 时间 - 1 的平方。</translation>
+    </message>
+    <message>
+        <source>Ttc limit</source>
+        <translation>TTC 限值</translation>
+    </message>
+    <message>
+        <source>Time to collision at the current closing speed above which the cost is 0.</source>
+        <translation>以当前接近速度计算的碰撞时间超过此值时代价为 0。</translation>
+    </message>
+    <message>
+        <source>Relative speed weight</source>
+        <translation>相对速度权重</translation>
+    </message>
+    <message>
+        <source>Cost of the squared relative speed beside a person, decreasing to 0 at a gap of 1.2 m.</source>
+        <translation>行人旁相对速度平方的代价，在间距 1.2 m 处降至 0。</translation>
+    </message>
+    <message>
+        <source>Front weight</source>
+        <translation>前方权重</translation>
+    </message>
+    <message>
+        <source>Cost of a position where a person is about to walk; the robot passes behind people.</source>
+        <translation>行人即将走过的位置的代价；机器人从行人身后通过。</translation>
+    </message>
+    <message>
+        <source>Front time</source>
+        <translation>前方时间</translation>
+    </message>
+    <message>
+        <source>Walking time that this area extends in front of a person.</source>
+        <translation>该区域在行人前方延伸的行走时间。</translation>
+    </message>
+    <message>
+        <source>Legibility weight</source>
+        <translation>可读性权重</translation>
+    </message>
+    <message>
+        <source>Cost of not showing early on which side the robot will pass an oncoming person; the beginning of a trajectory has the largest weight.</source>
+        <translation>未尽早表明机器人将从迎面行人的哪一侧通过的代价；轨迹开头的权重最大。</translation>
+    </message>
+    <message>
+        <source>Patience weight</source>
+        <translation>耐心权重</translation>
+    </message>
+    <message>
+        <source>Cost of standing in a narrow passage that a person is about to use.</source>
+        <translation>停在行人即将使用的狭窄通道中的代价。</translation>
+    </message>
+    <message>
+        <source>Wait distance</source>
+        <translation>等待距离</translation>
+    </message>
+    <message>
+        <source>Distance from the narrow passage at which the robot waits.</source>
+        <translation>机器人等待处与狭窄通道的距离。</translation>
+    </message>
+    <message>
+        <source>Patience time</source>
+        <translation>耐心时间</translation>
+    </message>
+    <message>
+        <source>Waiting time after which the robot enters the passage anyway.</source>
+        <translation>等待超过此时间后机器人仍会进入通道。</translation>
+    </message>
+    <message>
+        <source>Drives straight to the goal and avoids nothing: a baseline that no test should accept.</source>
+        <translation>直接驶向目标点且不避让任何物体：任何测试都不应接受的基准。</translation>
+    </message>
+    <message>
+        <source>Manual drive: stands until the user drives it. Ignores people.</source>
+        <translation>手动操控：在用户操控之前保持静止。忽略行人。</translation>
+    </message>
+    <message>
+        <source>Speed share</source>
+        <translation>速度比例</translation>
+    </message>
+    <message>
+        <source>Share of the maximum speed and turn rate that the robot uses at most.</source>
+        <translation>机器人最多使用的最大速度和转向速度的比例。</translation>
+    </message>
+    <message>
+        <source>Time after the last command after which the robot stops; 0: it continues.</source>
+        <translation>最后一条指令后机器人停下的时间；0：继续。</translation>
+    </message>
+    <message>
+        <source>Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands.</source>
+        <translation>使用 run --ros2 时由 ROS 2 话题 /cmd_vel 驱动；否则静止。</translation>
+    </message>
+    <message>
+        <source>Nav2 without ROS: uses your nav2_params.yaml and navigator tree.</source>
+        <translation>无需 ROS 的 Nav2：使用您的 nav2_params.yaml 和导航器树。</translation>
+    </message>
+    <message>
+        <source>Latency scan</source>
+        <translation>扫描延迟</translation>
+    </message>
+    <message>
+        <source>Time steps from the lidar to the costmaps.</source>
+        <translation>从激光雷达到代价地图的时间步数。</translation>
+    </message>
+    <message>
+        <source>Latency planner</source>
+        <translation>规划延迟</translation>
+    </message>
+    <message>
+        <source>Time steps from a request to its path.</source>
+        <translation>从请求到路径的时间步数。</translation>
+    </message>
+    <message>
+        <source>Latency command</source>
+        <translation>指令延迟</translation>
+    </message>
+    <message>
+        <source>Time steps from the last server to the wheels.</source>
+        <translation>从最后一个服务器到车轮的时间步数。</translation>
+    </message>
+    <message>
+        <source>Waypoint tasks</source>
+        <translation>航点任务</translation>
+    </message>
+    <message>
+        <source>1: the robot drives to several goals one by one and executes the task of waypoint_follower at each.</source>
+        <translation>1：机器人逐个驶向多个目标点，并在每个点执行 waypoint_follower 的任务。</translation>
+    </message>
+    <message>
+        <source>Crowd model of this program: social forces whose density, flow and lanes are close to measurements.</source>
+        <translation>本程序的人群模型：密度、流量和成列现象接近实测的社会力。</translation>
+    </message>
+    <message>
+        <source>Gaze factor</source>
+        <translation>注视系数</translation>
+    </message>
+    <message>
+        <source>Weight of the gaze force: turning back to group members behind.</source>
+        <translation>注视力的权重：转向身后的群组成员。</translation>
+    </message>
+    <message>
+        <source>Coherence factor</source>
+        <translation>凝聚系数</translation>
+    </message>
+    <message>
+        <source>Weight of the attraction to the centre of the group.</source>
+        <translation>朝向群组中心的吸引力的权重。</translation>
+    </message>
+    <message>
+        <source>Repulsion factor</source>
+        <translation>排斥系数</translation>
+    </message>
+    <message>
+        <source>Weight of the repulsion between group members.</source>
+        <translation>群组成员之间排斥力的权重。</translation>
+    </message>
+    <message>
+        <source>Time gap</source>
+        <translation>时间间隔</translation>
+    </message>
+    <message>
+        <source>T: time gap to the person straight ahead.</source>
+        <translation>T：与正前方行人的时间间隔。</translation>
+    </message>
+    <message>
+        <source>Cap width</source>
+        <translation>前方宽度</translation>
+    </message>
+    <message>
+        <source>Tangent of the angle from the walking direction that counts as ahead.</source>
+        <translation>视为前方的、与行走方向夹角的正切。</translation>
+    </message>
+    <message>
+        <source>Co moving weight</source>
+        <translation>同向权重</translation>
+    </message>
+    <message>
+        <source>Share of the force between people with equal velocities.</source>
+        <translation>速度相等的行人之间力的比例。</translation>
+    </message>
+    <message>
+        <source>Full weight at</source>
+        <translation>全权重速度</translation>
+    </message>
+    <message>
+        <source>Relative speed from which the force between people has full weight.</source>
+        <translation>行人间的力达到全权重的相对速度。</translation>
+    </message>
+    <message>
+        <source>Intent share</source>
+        <translation>意图比例</translation>
+    </message>
+    <message>
+        <source>Share of the desired velocity in the velocity that people react to.</source>
+        <translation>行人所响应的速度中期望速度的比例。</translation>
+    </message>
+    <message>
+        <source>Lane factor</source>
+        <translation>成列系数</translation>
+    </message>
+    <message>
+        <source>Strength of lane formation in counterflow.</source>
+        <translation>对向流中成列的强度。</translation>
+    </message>
+    <message>
+        <source>File share</source>
+        <translation>跟随比例</translation>
+    </message>
+    <message>
+        <source>Share of people with the same walking direction in the lane force.</source>
+        <translation>成列力中同向行人的比例。</translation>
+    </message>
+    <message>
+        <source>Crowd scale</source>
+        <translation>人群尺度</translation>
+    </message>
+    <message>
+        <source>Crowding ahead at which the crowd-only terms have half of their effect.</source>
+        <translation>前方拥挤程度达到此值时，仅人群项的效果减半。</translation>
+    </message>
+    <message>
+        <source>Braking share</source>
+        <translation>制动比例</translation>
+    </message>
+    <message>
+        <source>Share of the braking for oncoming people that remains in a crowd.</source>
+        <translation>人群中对迎面行人保留的制动比例。</translation>
+    </message>
+    <message>
+        <source>Yield speed</source>
+        <translation>分离速度</translation>
+    </message>
+    <message>
+        <source>Speed at which people in contact separate.</source>
+        <translation>接触中的行人分开的速度。</translation>
+    </message>
+    <message>
+        <source>Yield gap</source>
+        <translation>分离间距</translation>
+    </message>
+    <message>
+        <source>Gap up to which neighbours count as in contact.</source>
+        <translation>邻近行人视为接触的间距。</translation>
+    </message>
+    <message>
+        <source>Push back limit</source>
+        <translation>后推限值</translation>
+    </message>
+    <message>
+        <source>Maximum backward force of walls, as a share of the goal force.</source>
+        <translation>墙的最大向后力，占目标力的比例。</translation>
+    </message>
+    <message>
+        <source>Crowd wall share</source>
+        <translation>人群墙比例</translation>
+    </message>
+    <message>
+        <source>Share of the force of walls beside narrow passages that remains in a crowd.</source>
+        <translation>人群中狭窄通道旁墙力保留的比例。</translation>
+    </message>
+    <message>
+        <source>Mate turn width</source>
+        <translation>同伴转角</translation>
+    </message>
+    <message>
+        <source>Angle below which group members side by side evade each other less.</source>
+        <translation>低于此角度时并排的群组成员相互回避较少。</translation>
+    </message>
+    <message>
+        <source>Optimal reciprocal collision avoidance (van den Berg et al. 2011): the collision-free velocity closest to the desired one.</source>
+        <translation>最优互惠避碰（van den Berg 等 2011）：最接近期望速度的无碰撞速度。</translation>
+    </message>
+    <message>
+        <source>tau: time for which velocities are free of collisions with people.</source>
+        <translation>tau：速度与行人无碰撞的时间。</translation>
+    </message>
+    <message>
+        <source>Obstacle horizon</source>
+        <translation>障碍物时域</translation>
+    </message>
+    <message>
+        <source>Time for which velocities are free of collisions with walls.</source>
+        <translation>速度与墙无碰撞的时间。</translation>
+    </message>
+    <message>
+        <source>People farther away are ignored.</source>
+        <translation>忽略更远的行人。</translation>
+    </message>
+    <message>
+        <source>Braking time</source>
+        <translation>制动时间</translation>
+    </message>
+    <message>
+        <source>Time in which people without a goal come to a stop.</source>
+        <translation>没有目标点的行人停下所需的时间。</translation>
+    </message>
+    <message>
+        <source>Rotation of the desired velocity to the right if the path is not free.</source>
+        <translation>路径不通畅时期望速度向右的旋转。</translation>
+    </message>
+    <message>
+        <source>The social force model of HuNavSim (Moussaïd et al. 2009, 2010) with its errors corrected.</source>
+        <translation>HuNavSim 的社会力模型（Moussaïd 等 2009、2010），已修正其错误。</translation>
+    </message>
+    <message>
+        <source>The social force model of HuNavSim 2.0 unchanged, for comparison with its results.</source>
+        <translation>未更改的 HuNavSim 2.0 社会力模型，用于与其结果比较。</translation>
+    </message>
+    <message>
+        <source>Generic robot</source>
+        <translation>通用机器人</translation>
+    </message>
+    <message>
+        <source>Navigation Performance</source>
+        <translation>导航性能</translation>
+    </message>
+    <message>
+        <source>Social Behavior</source>
+        <translation>社会行为</translation>
+    </message>
+    <message>
+        <source>Motion Analysis</source>
+        <translation>运动分析</translation>
+    </message>
+    <message>
+        <source>Safety &amp; Collisions</source>
+        <translation>安全与碰撞</translation>
+    </message>
+    <message>
+        <source>Social Forces</source>
+        <translation>社会力</translation>
+    </message>
+    <message>
+        <source>Danger &amp; Surprise Metrics</source>
+        <translation>危险与惊吓指标</translation>
+    </message>
+    <message>
+        <source>Time to reach the goal</source>
+        <translation>到达目标点的时间</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>路径长度</translation>
+    </message>
+    <message>
+        <source>Cumulative heading changes</source>
+        <translation>累计朝向变化</translation>
+    </message>
+    <message>
+        <source>Mean distance to the closest person</source>
+        <translation>与最近行人的平均距离</translation>
+    </message>
+    <message>
+        <source>Smallest distance to people</source>
+        <translation>与行人的最小距离</translation>
+    </message>
+    <message>
+        <source>Largest distance to people</source>
+        <translation>与行人的最大距离</translation>
+    </message>
+    <message>
+        <source>Intrusions into the intimate space</source>
+        <translation>侵入亲密空间</translation>
+    </message>
+    <message>
+        <source>Intrusions into the personal space</source>
+        <translation>侵入个人空间</translation>
+    </message>
+    <message>
+        <source>Intrusions into the social space</source>
+        <translation>侵入社交空间</translation>
+    </message>
+    <message>
+        <source>Intrusions into the intimate space of groups</source>
+        <translation>侵入群组的亲密空间</translation>
+    </message>
+    <message>
+        <source>Intrusions into the personal space of groups</source>
+        <translation>侵入群组的个人空间</translation>
+    </message>
+    <message>
+        <source>Intrusions into the social space of groups</source>
+        <translation>侵入群组的社交空间</translation>
+    </message>
+    <message>
+        <source>Goal reached</source>
+        <translation>已到达目标点</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the goal</source>
+        <translation>与目标点的最小距离</translation>
+    </message>
+    <message>
+        <source>Final distance to the goal</source>
+        <translation>与目标点的最终距离</translation>
+    </message>
+    <message>
+        <source>Robot runs into a person</source>
+        <translation>机器人撞到行人</translation>
+    </message>
+    <message>
+        <source>Person runs into the robot</source>
+        <translation>行人撞到机器人</translation>
+    </message>
+    <message>
+        <source>Time standing still</source>
+        <translation>静止时间</translation>
+    </message>
+    <message>
+        <source>Mean speed of the robot</source>
+        <translation>机器人平均速度</translation>
+    </message>
+    <message>
+        <source>Mean turn rate of the robot</source>
+        <translation>机器人平均转向速度</translation>
+    </message>
+    <message>
+        <source>Mean acceleration of the robot</source>
+        <translation>机器人平均加速度</translation>
+    </message>
+    <message>
+        <source>Mean jerk of the robot</source>
+        <translation>机器人平均加加速度</translation>
+    </message>
+    <message>
+        <source>Mean speed of people</source>
+        <translation>行人平均速度</translation>
+    </message>
+    <message>
+        <source>Mean speed of the closest person</source>
+        <translation>最近行人的平均速度</translation>
+    </message>
+    <message>
+        <source>Social force of the robot on people</source>
+        <translation>机器人对行人的社会力</translation>
+    </message>
+    <message>
+        <source>Social force of people on the robot</source>
+        <translation>行人对机器人的社会力</translation>
+    </message>
+    <message>
+        <source>Social work</source>
+        <translation>社会功</translation>
+    </message>
+    <message>
+        <source>Obstacle force on the robot</source>
+        <translation>障碍物对机器人的力</translation>
+    </message>
+    <message>
+        <source>Obstacle force on people</source>
+        <translation>障碍物对行人的力</translation>
+    </message>
+    <message>
+        <source>Danger: fear</source>
+        <translation>危险：恐惧</translation>
+    </message>
+    <message>
+        <source>Danger: panic</source>
+        <translation>危险：恐慌</translation>
+    </message>
+    <message>
+        <source>Surprise: visibility</source>
+        <translation>惊吓：可见性</translation>
+    </message>
+    <message>
+        <source>Surprise: shock</source>
+        <translation>惊吓：震惊</translation>
+    </message>
+    <message>
+        <source>Surprise: reaction</source>
+        <translation>惊吓：反应</translation>
+    </message>
+    <message>
+        <source>Smallest clearance</source>
+        <translation>最小间隙</translation>
+    </message>
+    <message>
+        <source>Mean clearance</source>
+        <translation>平均间隙</translation>
+    </message>
+    <message>
+        <source>Time too close to obstacles</source>
+        <translation>过于靠近障碍物的时间</translation>
+    </message>
+    <message>
+        <source>Winding around people</source>
+        <translation>绕行人的圈数</translation>
+    </message>
+    <message>
+        <source>Replans of the robot</source>
+        <translation>机器人重新规划次数</translation>
+    </message>
+    <message>
+        <source>Aggregated time to the goals</source>
+        <translation>到达目标点的总时间</translation>
+    </message>
+    <message>
+        <source>Mean distance to the goal while stopped</source>
+        <translation>停止时与目标点的平均距离</translation>
+    </message>
+    <message>
+        <source>Density around people</source>
+        <translation>行人周围的密度</translation>
+    </message>
+    <message>
+        <source>Voronoi density</source>
+        <translation>Voronoi 密度</translation>
+    </message>
+    <message>
+        <source>Voronoi density, largest sample</source>
+        <translation>Voronoi 密度，最大样本</translation>
+    </message>
+    <message>
+        <source>Specific flow of the crowd</source>
+        <translation>人群的比流量</translation>
+    </message>
+    <message>
+        <source>Crowd polarisation</source>
+        <translation>人群极化度</translation>
+    </message>
+    <message>
+        <source>Crowd lane order</source>
+        <translation>人群成列有序度</translation>
+    </message>
+    <message>
+        <source>Danger: fear, mean per sample</source>
+        <translation>危险：恐惧，每样本均值</translation>
+    </message>
+    <message>
+        <source>Danger: panic, mean per sample</source>
+        <translation>危险：恐慌，每样本均值</translation>
+    </message>
+    <message>
+        <source>Time facing people</source>
+        <translation>面向行人的时间</translation>
+    </message>
+    <message>
+        <source>Time seen by people</source>
+        <translation>被行人看到的时间</translation>
+    </message>
+    <message>
+        <source>Time facing people, 60 degrees</source>
+        <translation>面向行人的时间，60 度</translation>
+    </message>
+    <message>
+        <source>Time seen by people, 60 degrees</source>
+        <translation>被行人看到的时间，60 度</translation>
+    </message>
+    <message>
+        <source>Direction of the nearest person at the end</source>
+        <translation>结束时最近行人的方向</translation>
+    </message>
+    <message>
+        <source>Distance of the nearest person at the end</source>
+        <translation>结束时最近行人的距离</translation>
+    </message>
+    <message>
+        <source>Speed of the nearest person at the end</source>
+        <translation>结束时最近行人的速度</translation>
+    </message>
+    <message>
+        <source>People near the robot at the end</source>
+        <translation>结束时机器人附近的行人</translation>
+    </message>
+    <message>
+        <source>Line crossings by people</source>
+        <translation>行人越线次数</translation>
+    </message>
+    <message>
+        <source>Flow through the line</source>
+        <translation>通过该线的流量</translation>
+    </message>
+    <message>
+        <source>Intrusion into the Gaussian personal space</source>
+        <translation>侵入高斯个人空间</translation>
+    </message>
+    <message>
+        <source>Intrusion into the Gaussian personal space, smallest</source>
+        <translation>侵入高斯个人空间，最小</translation>
+    </message>
+    <message>
+        <source>Intrusion into the Gaussian personal space, largest</source>
+        <translation>侵入高斯个人空间，最大</translation>
+    </message>
+    <message>
+        <source>Time inside the Gaussian personal space</source>
+        <translation>处于高斯个人空间内的时间</translation>
+    </message>
+    <message>
+        <source>Intrusion into the space of groups</source>
+        <translation>侵入群组空间</translation>
+    </message>
+    <message>
+        <source>Intrusion into the space of groups, largest</source>
+        <translation>侵入群组空间，最大</translation>
+    </message>
+    <message>
+        <source>Group crossings</source>
+        <translation>穿越群组次数</translation>
+    </message>
+    <message>
+        <source>Disturbance by the robot&apos;s heading</source>
+        <translation>机器人朝向造成的干扰</translation>
+    </message>
+    <message>
+        <source>Disturbance by the robot&apos;s heading, largest</source>
+        <translation>机器人朝向造成的干扰，最大</translation>
+    </message>
+    <message>
+        <source>Time hardly moving</source>
+        <translation>几乎不动的时间</translation>
+    </message>
+    <message>
+        <source>Time driving backwards</source>
+        <translation>倒车时间</translation>
+    </message>
+    <message>
+        <source>Time rotating in place</source>
+        <translation>原地旋转时间</translation>
+    </message>
+    <message>
+        <source>Success</source>
+        <translation>成功</translation>
+    </message>
+    <message>
+        <source>Duration of the record</source>
+        <translation>记录时长</translation>
+    </message>
+    <message>
+        <source>Robot runs into an obstacle</source>
+        <translation>机器人撞到障碍物</translation>
+    </message>
+    <message>
+        <source>Success weighted by path length</source>
+        <translation>按路径长度加权的成功率</translation>
+    </message>
+    <message>
+        <source>Success weighted by time</source>
+        <translation>按时间加权的成功率</translation>
+    </message>
+    <message>
+        <source>Path efficiency</source>
+        <translation>路径效率</translation>
+    </message>
+    <message>
+        <source>Path irregularity</source>
+        <translation>路径不规则度</translation>
+    </message>
+    <message>
+        <source>Turning per metre</source>
+        <translation>每米转角</translation>
+    </message>
+    <message>
+        <source>Mean curvature</source>
+        <translation>平均曲率</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>最大曲率</translation>
+    </message>
+    <message>
+        <source>Mean roughness</source>
+        <translation>平均粗糙度</translation>
+    </message>
+    <message>
+        <source>Smallest time to collision</source>
+        <translation>最小碰撞时间</translation>
+    </message>
+    <message>
+        <source>Personal space compliance</source>
+        <translation>个人空间遵守度</translation>
+    </message>
+    <message>
+        <source>Discomfort frequency</source>
+        <translation>不适频率</translation>
+    </message>
+    <message>
+        <source>Mean distance during discomfort</source>
+        <translation>不适期间的平均距离</translation>
+    </message>
+    <message>
+        <source>Time in personal space</source>
+        <translation>处于个人空间内的时间</translation>
+    </message>
+    <message>
+        <source>Mean speed in personal space</source>
+        <translation>个人空间内的平均速度</translation>
+    </message>
+    <message>
+        <source>Largest speed in intimate space</source>
+        <translation>亲密空间内的最大速度</translation>
+    </message>
+    <message>
+        <source>Steps away from the goal</source>
+        <translation>远离目标点的步数</translation>
+    </message>
+    <message>
+        <source>Time stalled</source>
+        <translation>停滞时间</translation>
+    </message>
+    <message>
+        <source>Remaining share of the distance</source>
+        <translation>剩余距离比例</translation>
+    </message>
+    <message>
+        <source>Final distance per path length</source>
+        <translation>最终距离与路径长度之比</translation>
+    </message>
+    <message>
+        <source>Mean displacement from the reference</source>
+        <translation>与参考的平均位移</translation>
+    </message>
+    <message>
+        <source>Final displacement from the reference</source>
+        <translation>与参考的最终位移</translation>
+    </message>
+    <message>
+        <source>DTW distance from the reference</source>
+        <translation>与参考的 DTW 距离</translation>
+    </message>
+    <message>
+        <source>Mean distance from the reference path</source>
+        <translation>与参考路径的平均距离</translation>
+    </message>
+    <message>
+        <source>Responsibility of the robot</source>
+        <translation>机器人的责任</translation>
+    </message>
+    <message>
+        <source>Engagement of the robot</source>
+        <translation>机器人的参与度</translation>
+    </message>
+    <message>
+        <source>Social force of the robot on people, mean per sample</source>
+        <translation>机器人对行人的社会力，每样本均值</translation>
+    </message>
+    <message>
+        <source>Social force of people on the robot, mean per sample</source>
+        <translation>行人对机器人的社会力，每样本均值</translation>
+    </message>
+    <message>
+        <source>Social work, mean per sample</source>
+        <translation>社会功，每样本均值</translation>
+    </message>
+    <message>
+        <source>Obstacle force on the robot, mean per sample</source>
+        <translation>障碍物对机器人的力，每样本均值</translation>
+    </message>
+    <message>
+        <source>Obstacle force on people, mean per sample</source>
+        <translation>障碍物对行人的力，每样本均值</translation>
+    </message>
+    <message>
+        <source>Smallest speed of the robot</source>
+        <translation>机器人最小速度</translation>
+    </message>
+    <message>
+        <source>Largest speed of the robot</source>
+        <translation>机器人最大速度</translation>
+    </message>
+    <message>
+        <source>Largest acceleration of the robot</source>
+        <translation>机器人最大加速度</translation>
+    </message>
+    <message>
+        <source>Largest jerk of the robot</source>
+        <translation>机器人最大加加速度</translation>
+    </message>
+    <message>
+        <source>Mean angular acceleration of the robot</source>
+        <translation>机器人平均角加速度</translation>
+    </message>
+    <message>
+        <source>Motion energy</source>
+        <translation>运动能量</translation>
+    </message>
+    <message>
+        <source>Surprise: visibility, mean per sample</source>
+        <translation>惊吓：可见性，每样本均值</translation>
+    </message>
+    <message>
+        <source>Surprise: shock, mean per sample</source>
+        <translation>惊吓：震惊，每样本均值</translation>
+    </message>
+    <message>
+        <source>Surprise: reaction, mean per sample</source>
+        <translation>惊吓：反应，每样本均值</translation>
+    </message>
+    <message>
+        <source>Mean time to collision</source>
+        <translation>平均碰撞时间</translation>
+    </message>
+    <message>
+        <source>Time exposed to collisions</source>
+        <translation>暴露于碰撞的时间</translation>
+    </message>
+    <message>
+        <source>Time-integrated threat of collisions</source>
+        <translation>碰撞威胁的时间积分</translation>
+    </message>
+    <message>
+        <source>Mean passing distance</source>
+        <translation>平均通过距离</translation>
+    </message>
+    <message>
+        <source>Largest approach speed</source>
+        <translation>最大接近速度</translation>
+    </message>
+    <message>
+        <source>Largest lateral acceleration</source>
+        <translation>最大横向加速度</translation>
+    </message>
+    <message>
+        <source>Entries into the intimate zone</source>
+        <translation>进入亲密区域的次数</translation>
+    </message>
+    <message>
+        <source>Entries of the robot into the intimate zone</source>
+        <translation>机器人进入亲密区域的次数</translation>
+    </message>
+    <message>
+        <source>Entries of people into the intimate zone</source>
+        <translation>行人进入亲密区域的次数</translation>
+    </message>
+    <message>
+        <source>Entries into the personal zone</source>
+        <translation>进入个人区域的次数</translation>
+    </message>
+    <message>
+        <source>Entries of the robot into the personal zone</source>
+        <translation>机器人进入个人区域的次数</translation>
+    </message>
+    <message>
+        <source>Entries of people into the personal zone</source>
+        <translation>行人进入个人区域的次数</translation>
+    </message>
+    <message>
+        <source>so far</source>
+        <translation>目前为止</translation>
+    </message>
+    <message>
+        <source>per step</source>
+        <translation>每步</translation>
+    </message>
+    <message>
+        <source>count per step</source>
+        <translation>每步计数</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Runs the children in order until one fails; resumes at the running child.</source>
+        <translation>按顺序运行子节点直到一个失败；从正在运行的子节点继续。</translation>
+    </message>
+    <message>
+        <source>Runs the children in order until one succeeds; resumes at the running child.</source>
+        <translation>按顺序运行子节点直到一个成功；从正在运行的子节点继续。</translation>
+    </message>
+    <message>
+        <source>A sequence that restarts at the first child in every time step, so that conditions are checked again.</source>
+        <translation>每个时间步都从第一个子节点重新开始的顺序节点，因此会重新检查条件。</translation>
+    </message>
+    <message>
+        <source>A fallback that restarts at the first child in every time step, so that earlier children take precedence.</source>
+        <translation>每个时间步都从第一个子节点重新开始的选择节点，因此靠前的子节点优先。</translation>
+    </message>
+    <message>
+        <source>A sequence that resumes at the child that failed.</source>
+        <translation>从失败的子节点继续的顺序节点。</translation>
+    </message>
+    <message>
+        <source>A sequence that completes at most one child per time step.</source>
+        <translation>每个时间步最多完成一个子节点的顺序节点。</translation>
+    </message>
+    <message>
+        <source>A fallback that completes at most one child per time step.</source>
+        <translation>每个时间步最多完成一个子节点的选择节点。</translation>
+    </message>
+    <message>
+        <source>Runs all children in every time step until enough have succeeded or failed.</source>
+        <translation>每个时间步运行所有子节点，直到足够多的成功或失败。</translation>
+    </message>
+    <message>
+        <source>Number of successes after which the node succeeds; negative: counted from all children (-1: all).</source>
+        <translation>使节点成功所需的成功数；负数：从全部子节点倒数（-1：全部）。</translation>
+    </message>
+    <message>
+        <source>Number of failures after which the node fails; negative: counted from all children (-1: all).</source>
+        <translation>使节点失败所需的失败数；负数：从全部子节点倒数（-1：全部）。</translation>
+    </message>
+    <message>
+        <source>Runs all children and ends when all are completed.</source>
+        <translation>运行所有子节点，全部完成后结束。</translation>
+    </message>
+    <message>
+        <source>Number of failures from which the node fails.</source>
+        <translation>达到此失败数时节点失败。</translation>
+    </message>
+    <message>
+        <source>The first child is the condition, run once; if it succeeds the second child is run, else the third.</source>
+        <translation>第一个子节点是条件，运行一次；若成功则运行第二个子节点，否则运行第三个。</translation>
+    </message>
+    <message>
+        <source>The first child is the condition, run in every time step; while it succeeds the second child is run, else the third.</source>
+        <translation>第一个子节点是条件，每个时间步运行；成功时运行第二个子节点，否则运行第三个。</translation>
+    </message>
+    <message>
+        <source>Runs the child whose case equals the variable, for any other value the last child.</source>
+        <translation>运行其 case 等于变量的子节点；其他值则运行最后一个子节点。</translation>
+    </message>
+    <message>
+        <source>Value that is compared.</source>
+        <translation>被比较的值。</translation>
+    </message>
+    <message>
+        <source>Value for which child 1 is run.</source>
+        <translation>运行子节点 1 的值。</translation>
+    </message>
+    <message>
+        <source>Value for which child 2 is run.</source>
+        <translation>运行子节点 2 的值。</translation>
+    </message>
+    <message>
+        <source>Value for which child 3 is run.</source>
+        <translation>运行子节点 3 的值。</translation>
+    </message>
+    <message>
+        <source>Value for which child 4 is run.</source>
+        <translation>运行子节点 4 的值。</translation>
+    </message>
+    <message>
+        <source>Value for which child 5 is run.</source>
+        <translation>运行子节点 5 的值。</translation>
+    </message>
+    <message>
+        <source>Child 6 is run for this value.</source>
+        <translation>此值时运行子节点 6。</translation>
+    </message>
+    <message>
+        <source>Runs all children except the last as a sequence; if it fails, runs the last child.</source>
+        <translation>将除最后一个以外的子节点作为顺序运行；若失败则运行最后一个子节点。</translation>
+    </message>
+    <message>
+        <source>The last child is also ticked once when the node is halted.</source>
+        <translation>节点被中止时，最后一个子节点也会被 tick 一次。</translation>
+    </message>
+    <message>
+        <source>Decorator</source>
+        <translation>装饰</translation>
+    </message>
+    <message>
+        <source>Inverts success and failure of the child.</source>
+        <translation>反转子节点的成功与失败。</translation>
+    </message>
+    <message>
+        <source>Succeeds whatever the result of the child.</source>
+        <translation>无论子节点结果如何都成功。</translation>
+    </message>
+    <message>
+        <source>Fails whatever the result of the child.</source>
+        <translation>无论子节点结果如何都失败。</translation>
+    </message>
+    <message>
+        <source>Repeats the child until it fails.</source>
+        <translation>重复子节点直到失败。</translation>
+    </message>
+    <message>
+        <source>Repeats the child this number of times, or until it fails.</source>
+        <translation>将子节点重复此次数，或直到失败。</translation>
+    </message>
+    <message>
+        <source>Number of runs; -1: unlimited.</source>
+        <translation>运行次数；-1：不限。</translation>
+    </message>
+    <message>
+        <source>Repeats the child until it succeeds.</source>
+        <translation>重复子节点直到成功。</translation>
+    </message>
+    <message>
+        <source>Runs the child to completion once in the lifetime of the tree.</source>
+        <translation>在树的生命周期内将子节点完整运行一次。</translation>
+    </message>
+    <message>
+        <source>Afterwards: true: skipped, false: returns the same result.</source>
+        <translation>之后：true：跳过，false：返回相同结果。</translation>
+    </message>
+    <message>
+        <source>Waits before the child is run.</source>
+        <translation>运行子节点前等待。</translation>
+    </message>
+    <message>
+        <source>Duration in simulated time.</source>
+        <translation>仿真时间中的时长。</translation>
+    </message>
+    <message>
+        <source>Fails when the child takes longer.</source>
+        <translation>子节点超时则失败。</translation>
+    </message>
+    <message>
+        <source>Limit in simulated time; 0: none.</source>
+        <translation>仿真时间中的限制；0：无。</translation>
+    </message>
+    <message>
+        <source>Runs the child only if a script is true.</source>
+        <translation>仅当脚本为真时运行子节点。</translation>
+    </message>
+    <message>
+        <source>Script.</source>
+        <translation>脚本。</translation>
+    </message>
+    <message>
+        <source>Result if the script is false.</source>
+        <translation>脚本为假时的结果。</translation>
+    </message>
+    <message>
+        <source>Runs the child once for each element of a list.</source>
+        <translation>对列表中的每个元素运行一次子节点。</translation>
+    </message>
+    <message>
+        <source>Elements, separated by &apos;;&apos;.</source>
+        <translation>元素，用 &apos;;&apos; 分隔。</translation>
+    </message>
+    <message>
+        <source>Result at the end.</source>
+        <translation>结束时的结果。</translation>
+    </message>
+    <message>
+        <source>Current element.</source>
+        <translation>当前元素。</translation>
+    </message>
+    <message>
+        <source>Skips the child unless the blackboard entry was written.</source>
+        <translation>除非黑板条目被写入，否则跳过子节点。</translation>
+    </message>
+    <message>
+        <source>Blackboard entry.</source>
+        <translation>黑板条目。</translation>
+    </message>
+    <message>
+        <source>Waits until the blackboard entry is written, then runs the child.</source>
+        <translation>等待黑板条目被写入，然后运行子节点。</translation>
+    </message>
+    <message>
+        <source>SubTree</source>
+        <translation>子树</translation>
+    </message>
+    <message>
+        <source>Runs another tree.</source>
+        <translation>运行另一棵树。</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>Succeeds.</source>
+        <translation>成功。</translation>
+    </message>
+    <message>
+        <source>Fails.</source>
+        <translation>失败。</translation>
+    </message>
+    <message>
+        <source>Writes an entry of the blackboard.</source>
+        <translation>写入黑板条目。</translation>
+    </message>
+    <message>
+        <source>Text, or {key} of the entry that is copied.</source>
+        <translation>文本，或要复制的条目的 {键}。</translation>
+    </message>
+    <message>
+        <source>Name of the entry.</source>
+        <translation>条目的名称。</translation>
+    </message>
+    <message>
+        <source>Removes an entry of the blackboard.</source>
+        <translation>移除黑板条目。</translation>
+    </message>
+    <message>
+        <source>Runs a script.</source>
+        <translation>运行脚本。</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Succeeds if a script is true.</source>
+        <translation>脚本为真则成功。</translation>
+    </message>
+    <message>
+        <source>Waits.</source>
+        <translation>等待。</translation>
+    </message>
+    <message>
+        <source>Succeeds if the entry was written since the last check.</source>
+        <translation>若条目自上次检查后被写入则成功。</translation>
+    </message>
+    <message>
+        <source>Walks to another person, slower with decreasing distance, and looks at them from the closest distance.</source>
+        <translation>走向另一个行人，距离越近越慢，并在最近距离处注视对方。</translation>
+    </message>
+    <message>
+        <source>Id of the person.</source>
+        <translation>行人的 id。</translation>
+    </message>
+    <message>
+        <source>Id of the other person.</source>
+        <translation>另一个行人的 id。</translation>
+    </message>
+    <message>
+        <source>Time step in HuNavSim; this program uses the simulation&apos;s time step.</source>
+        <translation>HuNavSim 中的时间步；本程序使用仿真的时间步。</translation>
+    </message>
+    <message>
+        <source>Ends after this time; 0: unlimited.</source>
+        <translation>此时间后结束；0：不限。</translation>
+    </message>
+    <message>
+        <source>Distance at which the person stops.</source>
+        <translation>行人停下的距离。</translation>
+    </message>
+    <message>
+        <source>Speed far from the other person.</source>
+        <translation>远离另一行人时的速度。</translation>
+    </message>
+    <message>
+        <source>Follows another person at the person&apos;s own speed, at most max_vel if given, and slower within the closest distance.</source>
+        <translation>以自身速度跟随另一行人，若给出则不超过 max_vel，在最近距离内更慢。</translation>
+    </message>
+    <message>
+        <source>Distance within which the person slows down.</source>
+        <translation>行人减速的距离。</translation>
+    </message>
+    <message>
+        <source>Maximum speed while following; absent or negative: the person&apos;s own.</source>
+        <translation>跟随时的最大速度；缺省或为负：行人自身的速度。</translation>
+    </message>
+    <message>
+        <source>Walks to a position in front of another person and faces them.</source>
+        <translation>走到另一行人前方的位置并面向对方。</translation>
+    </message>
+    <message>
+        <source>Distance in front of the other person.</source>
+        <translation>另一行人前方的距离。</translation>
+    </message>
+    <message>
+        <source>Another person is within the distance and the field of view, and no wall hides them.</source>
+        <translation>另一行人在距离和视野之内，且没有墙遮挡。</translation>
+    </message>
+    <message>
+        <source>Id of the person who looks.</source>
+        <translation>观察者的 id。</translation>
+    </message>
+    <message>
+        <source>Maximum distance of visible people.</source>
+        <translation>可见行人的最大距离。</translation>
+    </message>
+    <message>
+        <source>Half of the field of view: the angle to each side, pi: all around.</source>
+        <translation>视野的一半：每侧的角度，pi：全方位。</translation>
+    </message>
+    <message>
+        <source>Another person is nearer than the threshold.</source>
+        <translation>另一行人比阈值更近。</translation>
+    </message>
+    <message>
+        <source>Id of the first person.</source>
+        <translation>第一个行人的 id。</translation>
+    </message>
+    <message>
+        <source>Distance below which a person is close.</source>
+        <translation>低于此距离视为靠近。</translation>
+    </message>
+    <message>
+        <source>Gathers people in a circle around a goal, facing its centre, and keeps them there for the conversation. This node controls the members instead of their own trees.</source>
+        <translation>将行人聚集在目标点周围的圆上，面向圆心，并在交谈期间保持。此节点代替成员自己的树进行控制。</translation>
+    </message>
+    <message>
+        <source>Id of the person who gathers the others.</source>
+        <translation>召集者的 id。</translation>
+    </message>
+    <message>
+        <source>Id of the global goal that is the centre.</source>
+        <translation>作为圆心的全局目标点的 id。</translation>
+    </message>
+    <message>
+        <source>x of a point, if no goal_id is given.</source>
+        <translation>未给出 goal_id 时点的 x。</translation>
+    </message>
+    <message>
+        <source>y of a point, if no goal_id is given.</source>
+        <translation>未给出 goal_id 时点的 y。</translation>
+    </message>
+    <message>
+        <source>Duration after all members are in place.</source>
+        <translation>所有成员就位后的时长。</translation>
+    </message>
+    <message>
+        <source>Ids of the other members, separated by commas.</source>
+        <translation>其他成员的 id，用逗号分隔。</translation>
+    </message>
+    <message>
+        <source>At least this number of other people are near.</source>
+        <translation>附近至少有此数量的其他行人。</translation>
+    </message>
+    <message>
+        <source>Distance within which people are near.</source>
+        <translation>视为附近的距离。</translation>
+    </message>
+    <message>
+        <source>Number of other people.</source>
+        <translation>其他行人的数量。</translation>
+    </message>
+    <message>
+        <source>All other members of the person&apos;s group are near; fails without a group.</source>
+        <translation>该行人群组的所有其他成员都在附近；没有群组则失败。</translation>
+    </message>
+    <message>
+        <source>Stands until another person is near, also one who has not entered yet.</source>
+        <translation>站立直到另一行人靠近，包括尚未进入的行人。</translation>
+    </message>
+    <message>
+        <source>Id of the person to wait for.</source>
+        <translation>所等待行人的 id。</translation>
+    </message>
+    <message>
+        <source>Fails after this time; 0: unlimited.</source>
+        <translation>此时间后失败；0：不限。</translation>
+    </message>
+    <message>
+        <source>Walks away from another person to the safe distance.</source>
+        <translation>远离另一行人至安全距离。</translation>
+    </message>
+    <message>
+        <source>Id of the person to flee from.</source>
+        <translation>所逃离行人的 id。</translation>
+    </message>
+    <message>
+        <source>Distance at which the node ends.</source>
+        <translation>节点结束的距离。</translation>
+    </message>
+    <message>
+        <source>Speed while fleeing.</source>
+        <translation>逃离时的速度。</translation>
+    </message>
+    <message>
+        <source>Writes the id of the nearest other person; fails if there is none.</source>
+        <translation>写入最近的其他行人的 id；没有则失败。</translation>
+    </message>
+    <message>
+        <source>Id of the nearest person.</source>
+        <translation>最近行人的 id。</translation>
+    </message>
+    <message>
+        <source>Walks to a global goal; the person&apos;s other goals are suspended.</source>
+        <translation>走向一个全局目标点；该行人的其他目标点暂停。</translation>
+    </message>
+    <message>
+        <source>Id of the global goal.</source>
+        <translation>全局目标点的 id。</translation>
+    </message>
+    <message>
+        <source>The goal is reached within this distance plus 0.1 m.</source>
+        <translation>在此距离加 0.1 m 内视为到达目标点。</translation>
+    </message>
+    <message>
+        <source>Accepted for existing files; has no effect.</source>
+        <translation>为兼容现有文件而接受；无效果。</translation>
+    </message>
+    <message>
+        <source>Removes the current goal from the list; with cyclic goals it is appended at the end. Fails without goals.</source>
+        <translation>从列表中移除当前目标点；循环目标点会追加到末尾。没有目标点则失败。</translation>
+    </message>
+    <message>
+        <source>Appends a global goal to the person&apos;s list; goals set in the first tick replace those of the scenario.</source>
+        <translation>将全局目标点追加到行人的列表；第一个 tick 中设置的目标点取代场景的目标点。</translation>
+    </message>
+    <message>
+        <source>One time step towards the current goal; without a goal the person comes to rest.</source>
+        <translation>朝当前目标点走一个时间步；没有目标点时行人停下。</translation>
+    </message>
+    <message>
+        <source>The person is within the radius of the current goal, plus 0.1 m; never without a goal.</source>
+        <translation>行人在当前目标点半径加 0.1 m 内；没有目标点则永不成立。</translation>
+    </message>
+    <message>
+        <source>The person is at a global goal.</source>
+        <translation>行人位于某个全局目标点。</translation>
+    </message>
+    <message>
+        <source>Id of any person.</source>
+        <translation>任意行人的 id。</translation>
+    </message>
+    <message>
+        <source>Maximum distance to the goal.</source>
+        <translation>与目标点的最大距离。</translation>
+    </message>
+    <message>
+        <source>Puts the person into a group.</source>
+        <translation>将行人加入群组。</translation>
+    </message>
+    <message>
+        <source>Number of the group; -1: no group.</source>
+        <translation>群组编号；-1：无群组。</translation>
+    </message>
+    <message>
+        <source>Forms a group with the goals of the main person, whom this node controls; the others follow their own trees. Groups and goals are restored at the end.</source>
+        <translation>以主要行人的目标点组成群组，此节点控制该行人；其他人遵循自己的树。结束时恢复群组和目标点。</translation>
+    </message>
+    <message>
+        <source>Id of the person who leads.</source>
+        <translation>领头行人的 id。</translation>
+    </message>
+    <message>
+        <source>The robot is within the distance and within 100 degrees to each side, and no wall hides it.</source>
+        <translation>机器人在距离内且在左右各 100 度之内，没有墙遮挡。</translation>
+    </message>
+    <message>
+        <source>Maximum distance at which the robot is visible.</source>
+        <translation>机器人可见的最大距离。</translation>
+    </message>
+    <message>
+        <source>Turns in place to a global goal.</source>
+        <translation>原地转向全局目标点。</translation>
+    </message>
+    <message>
+        <source>Heading error at which the node ends.</source>
+        <translation>节点结束时的朝向误差。</translation>
+    </message>
+    <message>
+        <source>Turns in place to another person.</source>
+        <translation>原地转向另一行人。</translation>
+    </message>
+    <message>
+        <source>Id of the person who turns.</source>
+        <translation>转身行人的 id。</translation>
+    </message>
+    <message>
+        <source>Id of the person to look at.</source>
+        <translation>被注视行人的 id。</translation>
+    </message>
+    <message>
+        <source>Turns in place to the robot.</source>
+        <translation>原地转向机器人。</translation>
+    </message>
+    <message>
+        <source>Waits until another person looks at the person; selects the nearest of several.</source>
+        <translation>等待另一行人注视该行人；有多人时选择最近者。</translation>
+    </message>
+    <message>
+        <source>Maximum distance of the other person.</source>
+        <translation>另一行人的最大距离。</translation>
+    </message>
+    <message>
+        <source>Maximum angle between the other person&apos;s heading and the line to the person.</source>
+        <translation>另一行人的朝向与指向该行人连线的最大夹角。</translation>
+    </message>
+    <message>
+        <source>Maximum wait; then the node fails.</source>
+        <translation>最长等待；之后节点失败。</translation>
+    </message>
+    <message>
+        <source>Waits until a certain person looks at this one.</source>
+        <translation>等待特定行人注视该行人。</translation>
+    </message>
+    <message>
+        <source>Id of the person who should look.</source>
+        <translation>应注视的行人的 id。</translation>
+    </message>
+    <message>
+        <source>Passes the robot ahead on the person&apos;s left or right; fails if there is none ahead.</source>
+        <translation>从行人的左侧或右侧超过前方的机器人；前方没有机器人则失败。</translation>
+    </message>
+    <message>
+        <source>left or right, seen by the person.</source>
+        <translation>left 或 right，从行人角度看。</translation>
+    </message>
+    <message>
+        <source>Distance to the robot at which the node starts.</source>
+        <translation>节点开始时与机器人的距离。</translation>
+    </message>
+    <message>
+        <source>Lateral distance to the robot.</source>
+        <translation>与机器人的横向距离。</translation>
+    </message>
+    <message>
+        <source>Walks between random points of an area.</source>
+        <translation>在区域内的随机点之间行走。</translation>
+    </message>
+    <message>
+        <source>Name of the area.</source>
+        <translation>区域的名称。</translation>
+    </message>
+    <message>
+        <source>Walks into the area of kind exit with the shortest path; fails without one.</source>
+        <translation>走入路径最短的 exit 类区域；没有则失败。</translation>
+    </message>
+    <message>
+        <source>Walks to a global goal and stays there for some time.</source>
+        <translation>走向全局目标点并停留一段时间。</translation>
+    </message>
+    <message>
+        <source>Id of the global goal at the object.</source>
+        <translation>物体处的全局目标点的 id。</translation>
+    </message>
+    <message>
+        <source>Time at the object.</source>
+        <translation>在物体处的时间。</translation>
+    </message>
+    <message>
+        <source>Selects a random child when it is started and runs it to completion.</source>
+        <translation>启动时随机选择一个子节点并完整运行。</translation>
+    </message>
+    <message>
+        <source>Relative probability of each child; absent: all equal.</source>
+        <translation>各子节点的相对概率；缺省：全部相等。</translation>
+    </message>
+    <message>
+        <source>Succeeds with the given probability, drawn again in every tick, so that the probability over n ticks is 1 - (1 - p)^n.</source>
+        <translation>以给定概率成功，每个 tick 重新抽取，因此 n 个 tick 的概率为 1 - (1 - p)^n。</translation>
+    </message>
+    <message>
+        <source>Probability per tick.</source>
+        <translation>每个 tick 的概率。</translation>
+    </message>
+    <message>
+        <source>Stands and turns to the robot.</source>
+        <translation>站立并转向机器人。</translation>
+    </message>
+    <message>
+        <source>One time step towards the robot, slower with decreasing distance; looks at it at rest.</source>
+        <translation>朝机器人走一个时间步，距离越近越慢；静止时注视它。</translation>
+    </message>
+    <message>
+        <source>Speed far from the robot.</source>
+        <translation>远离机器人时的速度。</translation>
+    </message>
+    <message>
+        <source>Distance to the robot at which the person stops.</source>
+        <translation>行人停下时与机器人的距离。</translation>
+    </message>
+    <message>
+        <source>One time step away from the robot. With scary_force_factor and without safe_distance: one time step to the goals while the robot repels the person.</source>
+        <translation>远离机器人走一个时间步。有 scary_force_factor 且无 safe_distance 时：在机器人排斥行人的同时朝目标点走一个时间步。</translation>
+    </message>
+    <message>
+        <source>Distance to which the person flees.</source>
+        <translation>行人逃离到的距离。</translation>
+    </message>
+    <message>
+        <source>Strength of the repulsive force of the robot.</source>
+        <translation>机器人排斥力的强度。</translation>
+    </message>
+    <message>
+        <source>One time step to the position in front of the robot; faces it there.</source>
+        <translation>朝机器人前方的位置走一个时间步；在那里面向它。</translation>
+    </message>
+    <message>
+        <source>Distance in front of the robot; values below 0.5 m are replaced by 1.5 m.</source>
+        <translation>机器人前方的距离；低于 0.5 m 的值替换为 1.5 m。</translation>
+    </message>
+    <message>
+        <source>Walks to the robot, slower with decreasing distance, and looks at it from the closest distance.</source>
+        <translation>走向机器人，距离越近越慢，并在最近距离处注视它。</translation>
+    </message>
+    <message>
+        <source>Flees from the robot to the safe distance and looks at it from there.</source>
+        <translation>逃离机器人至安全距离，并从那里注视它。</translation>
+    </message>
+    <message>
+        <source>Walks to the position in front of the robot and faces it there.</source>
+        <translation>走到机器人前方的位置并在那里面向它。</translation>
+    </message>
+    <message>
+        <source>The robot is nearer than the threshold.</source>
+        <translation>机器人比阈值更近。</translation>
+    </message>
+    <message>
+        <source>Distance below which the robot is close.</source>
+        <translation>低于此距离视为机器人靠近。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s heading points at the person within 0.3 rad.</source>
+        <translation>机器人的朝向在 0.3 rad 内指向该行人。</translation>
+    </message>
+    <message>
+        <source>Says a sentence, once.</source>
+        <translation>说一句话，仅一次。</translation>
+    </message>
+    <message>
+        <source>Text of the sentence.</source>
+        <translation>句子的文本。</translation>
+    </message>
+    <message>
+        <source>Waits until a person nearby is heard; walls block speech. The last speaker is selected.</source>
+        <translation>等待听到附近行人的声音；墙会阻挡语音。选择最后的说话者。</translation>
+    </message>
+    <message>
+        <source>Maximum distance at which speech is heard.</source>
+        <translation>能听到语音的最大距离。</translation>
+    </message>
+    <message>
+        <source>Id of the speaker.</source>
+        <translation>说话者的 id。</translation>
+    </message>
+    <message>
+        <source>Waits until a certain person is heard; walls block speech.</source>
+        <translation>等待听到特定行人的声音；墙会阻挡语音。</translation>
+    </message>
+    <message>
+        <source>The person stops walking to goals until ResumeMovement; reactions still move the person.</source>
+        <translation>行人停止走向目标点，直到 ResumeMovement；反应仍会使其移动。</translation>
+    </message>
+    <message>
+        <source>Ends the effect of StopMovement.</source>
+        <translation>结束 StopMovement 的效果。</translation>
+    </message>
+    <message>
+        <source>Stands still for some time.</source>
+        <translation>站立不动一段时间。</translation>
+    </message>
+    <message>
+        <source>Duration.</source>
+        <translation>时长。</translation>
+    </message>
+    <message>
+        <source>Fails until the delay is over, then runs the child; the delay restarts after each run of the child.</source>
+        <translation>延迟结束前失败，之后运行子节点；每次运行子节点后延迟重新开始。</translation>
+    </message>
+    <message>
+        <source>Time before the child is run.</source>
+        <translation>运行子节点前的时间。</translation>
+    </message>
+    <message>
+        <source>Adds `ts` in each tick and succeeds when the sum has reached `seconds`; then it restarts, or with only_once succeeds from then on.</source>
+        <translation>每个 tick 累加 `ts`，总和达到 `seconds` 时成功；之后重新开始，或在 only_once 下此后一直成功。</translation>
+    </message>
+    <message>
+        <source>Length of the timer.</source>
+        <translation>计时器的时长。</translation>
+    </message>
+    <message>
+        <source>Added per tick; usually {dt}.</source>
+        <translation>每个 tick 累加；通常为 {dt}。</translation>
+    </message>
+    <message>
+        <source>The timer stays expired.</source>
+        <translation>计时器保持到期状态。</translation>
+    </message>
+    <message>
+        <source>Runs the child; after its completion the node fails until the time has passed.</source>
+        <translation>运行子节点；完成后，节点在此时间内失败。</translation>
+    </message>
+    <message>
+        <source>Pause after each run of the child.</source>
+        <translation>每次运行子节点后的暂停。</translation>
+    </message>
+    <message>
+        <source>The simulated time lies in [from, until).</source>
+        <translation>仿真时间位于 [from, until) 内。</translation>
+    </message>
+    <message>
+        <source>Start of the interval.</source>
+        <translation>区间的开始。</translation>
+    </message>
+    <message>
+        <source>End of the interval.</source>
+        <translation>区间的结束。</translation>
+    </message>
+    <message>
+        <source>Joins the queue at a global goal, moves up in it and is served at its head.</source>
+        <translation>加入全局目标点处的队列，向前移动并在队首接受服务。</translation>
+    </message>
+    <message>
+        <source>Id of the global goal at the head of the queue.</source>
+        <translation>队首全局目标点的 id。</translation>
+    </message>
+    <message>
+        <source>Distance to the person in front.</source>
+        <translation>与前面行人的距离。</translation>
+    </message>
+    <message>
+        <source>Time at the head of the queue.</source>
+        <translation>在队首的时间。</translation>
+    </message>
+    <message>
+        <source>Maximum wait until service; then the node fails; 0: unlimited.</source>
+        <translation>接受服务前的最长等待；之后节点失败；0：不限。</translation>
+    </message>
+    <message>
+        <source>Stands and looks at an approaching robot until it has passed; fails if no robot approaches.</source>
+        <translation>站立并注视靠近的机器人直到它通过；没有机器人靠近则失败。</translation>
+    </message>
+    <message>
+        <source>Maximum distance of the robot.</source>
+        <translation>机器人的最大距离。</translation>
+    </message>
+    <message>
+        <source>Time after which the node ends if the robot stands still.</source>
+        <translation>机器人静止时节点结束的时间。</translation>
+    </message>
+    <message>
+        <source>Robot interaction</source>
+        <translation>与机器人互动</translation>
+    </message>
+    <message>
+        <source>Turns to the robot when it is in sight and approaches it</source>
+        <translation>看到机器人时转向并走近它</translation>
+    </message>
+    <message>
+        <source>Conversation</source>
+        <translation>交谈</translation>
+    </message>
+    <message>
+        <source>Stands together with others at a goal and talks</source>
+        <translation>与他人一起站在目标点处交谈</translation>
+    </message>
+    <message>
+        <source>With</source>
+        <translation>与</translation>
+    </message>
+    <message>
+        <source>Meets at goal</source>
+        <translation>会合目标点</translation>
+    </message>
+    <message>
+        <source>Closer than</source>
+        <translation>近于</translation>
+    </message>
+    <message>
+        <source>Robot awareness</source>
+        <translation>注意机器人</translation>
+    </message>
+    <message>
+        <source>Stops and looks while the robot is near, then walks on</source>
+        <translation>机器人靠近时停下观看，然后继续行走</translation>
+    </message>
+    <message>
+        <source>Stops within</source>
+        <translation>停止距离</translation>
+    </message>
+    <message>
+        <source>Follow a person</source>
+        <translation>跟随行人</translation>
+    </message>
+    <message>
+        <source>Follows another person for some time</source>
+        <translation>跟随另一行人一段时间</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>行人</translation>
+    </message>
+    <message>
+        <source>Starts within</source>
+        <translation>开始距离</translation>
+    </message>
+    <message>
+        <source>Keeps at</source>
+        <translation>保持距离</translation>
+    </message>
+    <message>
+        <source>Robot blocking</source>
+        <translation>阻挡机器人</translation>
+    </message>
+    <message>
+        <source>Steps into the path of the robot and stays there</source>
+        <translation>走入机器人的路径并停在那里</translation>
+    </message>
+    <message>
+        <source>Stands in front</source>
+        <translation>站在前方</translation>
+    </message>
+    <message>
+        <source>Walk together</source>
+        <translation>结伴行走</translation>
+    </message>
+    <message>
+        <source>Walks in a group with the nearest person</source>
+        <translation>与最近的行人结伴行走</translation>
+    </message>
+    <message>
+        <source>Answer a call</source>
+        <translation>回应呼唤</translation>
+    </message>
+    <message>
+        <source>Walks to a person who speaks and starts a conversation</source>
+        <translation>走向说话的行人并开始交谈</translation>
+    </message>
+    <message>
+        <source>Hears within</source>
+        <translation>可听距离</translation>
+    </message>
+    <message>
+        <source>Listens for</source>
+        <translation>倾听时长</translation>
+    </message>
+    <message>
+        <source>Approaches for</source>
+        <translation>走近时长</translation>
+    </message>
+    <message>
+        <source>Talks for</source>
+        <translation>交谈时长</translation>
+    </message>
+    <message>
+        <source>Answer a look</source>
+        <translation>回应注视</translation>
+    </message>
+    <message>
+        <source>Looks back at an observer and says something</source>
+        <translation>回看观察者并说话</translation>
+    </message>
+    <message>
+        <source>Looked at by</source>
+        <translation>注视者</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>距离内</translation>
+    </message>
+    <message>
+        <source>Waits for</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>说</translation>
+    </message>
+    <message>
+        <source>Greeting</source>
+        <translation>问候</translation>
+    </message>
+    <message>
+        <source>Turns to the robot or a person in sight and greets</source>
+        <translation>转向看到的机器人或行人并问候</translation>
+    </message>
+    <message>
+        <source>Greets</source>
+        <translation>问候</translation>
+    </message>
+    <message>
+        <source>Guardian</source>
+        <translation>守护</translation>
+    </message>
+    <message>
+        <source>Steps between the robot and a person that it approaches</source>
+        <translation>站到机器人与它所靠近的行人之间</translation>
+    </message>
+    <message>
+        <source>Guards</source>
+        <translation>守护</translation>
+    </message>
+    <message>
+        <source>Sees the robot</source>
+        <translation>看到机器人</translation>
+    </message>
+    <message>
+        <source>Sees people</source>
+        <translation>看到行人</translation>
+    </message>
+    <message>
+        <source>Robot nearer than</source>
+        <translation>机器人近于</translation>
+    </message>
+    <message>
+        <source>Blocks for</source>
+        <translation>阻挡时长</translation>
+    </message>
+</context>
+<context>
     <name>EditCommand</name>
     <message>
         <source>Add %1</source>
@@ -2186,10 +6013,6 @@ Choose what the map shows</source>
         <translation>打开场景或地图</translation>
     </message>
     <message>
-        <source>Scenarios, maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</source>
-        <translation>场景、地图、地图图像 (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</translation>
-    </message>
-    <message>
         <source>New scenario from a map</source>
         <translation>从地图新建场景</translation>
     </message>
@@ -2264,6 +6087,10 @@ Choose what the map shows</source>
     <message>
         <source>%1 was moved or deleted. Save it again first?</source>
         <translation>%1 已被移动或删除。先重新保存吗？</translation>
+    </message>
+    <message>
+        <source>Scenarios, maps, map images, packed studies (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</source>
+        <translation>场景、地图、地图图像、打包的研究 (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</translation>
     </message>
 </context>
 <context>
