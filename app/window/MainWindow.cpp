@@ -86,7 +86,9 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   const auto tell = [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); };
   connect(figures, &FigureCommands::message, this, tell);
   connect(plots, &PlotExport::message, this, tell);
-  restoreGeometry(userSettings_.value(kGeometryKey).toByteArray());
+  if (restoreGeometry(userSettings_.value(kGeometryKey).toByteArray())) {
+    resize(size().boundedTo(screen()->availableSize()));  // the last screen may have been larger
+  }
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder,
                              setup.openFilesFolder, this);
   connect(guard_, &DocumentGuard::scenarioFileChanged, this, &MainWindow::showTitle);

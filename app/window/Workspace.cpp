@@ -15,6 +15,24 @@ namespace {
 constexpr int kSmoothMs = 16;         // about the display rate
 constexpr double kLongestStep = 0.5;  // [s], wall clock; longer steps are not interpolated
 
+/// Where people and robots are in a recording: in a sample of its states.
+QRectF areaOf(const sim2d::Recording& recording) {
+  constexpr std::size_t kSamples = 300;
+  constexpr double kMargin = 1.0;  // [m]
+  QPolygonF places;
+  const std::size_t first = recording.first();
+  const std::size_t stride = std::max<std::size_t>(1, (recording.size() - first) / kSamples);
+  for (std::size_t k = first; k < recording.size(); k += stride) {
+    if (const sim2d::FramePtr frame = recording.frameIfKept(k)) {
+      editor::forEachBody(*frame, [&places](const sim2d::BodyColumns& bodies, std::size_t i) {
+        places << editor::toScene(base::Vec2(bodies.x[i], bodies.y[i]));
+      });
+    }
+  }
+  return places.isEmpty() ? QRectF()
+                          : places.boundingRect().adjusted(-kMargin, -kMargin, kMargin, kMargin);
+}
+
 }  // namespace
 
 Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& tools, QObject* parent)
@@ -101,12 +119,17 @@ void Workspace::clearUnsavedPermissions() {
 void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name,
                              std::function<editor::RunRequest()> again) {
   recordedName_ = name;
+  if (scene_.isOpenPlane()) {  // otherwise the map is shown
+    scene_.setRunArea(areaOf(*recording));
+    view_->fitAll(false);
+  }
   runner_.openRecorded(std::move(recording), std::move(again));
 }
 
 void Workspace::handleRunClosed() {
   if (!recordedName_.isEmpty() && runner_.state() == SimulationRunner::State::Editing) {
     recordedName_.clear();
+    scene_.setRunArea({});
     if (!isReplaced_) {
       Q_EMIT recordedRunClosed();
     }

@@ -178,12 +178,23 @@ void MapScene::updateExtent() {
   setSceneRect(extent_);
 }
 
+void MapScene::setRunArea(const QRectF& area) {
+  if (area != runArea_) {
+    runArea_ = area;
+    updateExtent();
+    invalidateResting();
+  }
+}
+
 QRectF MapScene::groundRect() const {
   return isOpenPlane() ? extent_ : mapItem_->boundingRect();
 }
 
 QRectF MapScene::contentRect() const {
   QRectF content = knownGround_;
+  if (!runArea_.isEmpty()) {
+    return content | runArea_;
+  }
   for (const auto& [id, entityItem] : items_) {
     const std::optional<Entity> value = shown(id);
     if (const std::optional<Extent> extent = value ? extentOf(*value) : std::nullopt) {

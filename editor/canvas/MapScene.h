@@ -129,8 +129,10 @@ class MapScene : public QGraphicsScene {
   void setFaded(const std::vector<EntityId>& ids);
 
   double pixelsPerMetre() const { return pixelsPerMetre_; }
-  void setPixelsPerMetre(double value);                            // Called by the view.
-  QRectF contentRect() const;                                      // Of map and entities [m].
+  void setPixelsPerMetre(double value);  // Called by the view.
+  QRectF contentRect() const;            // Of map and entities, or of map and run area [m].
+  /// The area of a recorded run, whose people need not be where the document has them. Empty: none.
+  void setRunArea(const QRectF& area);
   bool isOpenPlane() const { return document_.map()->isEmpty(); }  // Free space everywhere.
   QRectF groundRect() const;                        // The map, or the full extent of an open plane.
   const QRectF& extent() const { return extent_; }  // The area that can be panned to.
@@ -279,7 +281,7 @@ class MapScene : public QGraphicsScene {
   CanvasPart part_ = CanvasPart::All;
   int restingRevision_ = 0;
   std::unique_ptr<SpriteAtlas> sprites_;
-  QRectF extent_, knownGround_;
+  QRectF extent_, knownGround_, runArea_;
   MapItem* mapItem_ = nullptr;
   QGraphicsItem* gridItem_ = nullptr;
   GroupLayer* groupLayer_ = nullptr;

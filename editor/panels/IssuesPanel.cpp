@@ -218,14 +218,22 @@ void IssuesPanel::setActionIssues(const base::Diagnostics& issues) {
   rebuild();
 }
 
+void IssuesPanel::setRecorded(bool recorded) {
+  if (std::exchange(isRecorded_, recorded) != recorded) {
+    rebuild();
+  }
+}
+
 void IssuesPanel::rebuild() {
-  base::Diagnostics all = document_.issues();
+  base::Diagnostics all = isRecorded_ ? base::Diagnostics() : document_.issues();
   if (document_.path().isEmpty()) {  // A new scenario begins without people: that is no problem.
     all.erase(std::remove_if(all.begin(), all.end(),
                              [](const auto& each) { return each.code == "scenario.nobody"; }),
               all.end());
   }
-  base::append(all, adviceFor(document_.scenario()));
+  if (!isRecorded_) {
+    base::append(all, adviceFor(document_.scenario()));
+  }
   base::Diagnostics known = action_;
   base::append(known, all);
   action_ = app::withoutDuplicates(action_, known);  // A fixed problem must not reappear.
@@ -236,7 +244,8 @@ void IssuesPanel::rebuild() {
   issues_ = withoutRepeatedIssues(all);
   const sim2d::Scenario& scenario = document_.scenario();
   noIssuesLabel_->setText(
-      scenario.humans.empty()
+      isRecorded_ ? tr("No issues. A recorded run is shown.")
+      : scenario.humans.empty()
           ? tr("No issues. Press P and click on the map to place a person.")
           : tr("No issues: %1, %2.")
                 .arg(counted(scenario.humans.size(), tr("person"), tr("people")),

@@ -27,6 +27,8 @@ class IssuesPanel : public QWidget {
   /// Problems of an action (opening, saving, starting a run), shown above those of the document
   /// until the next action; empty clears them.
   void setActionIssues(const base::Diagnostics& issues);
+  /// While a recorded run is shown, which cannot be edited, only problems of actions are listed.
+  void setRecorded(bool recorded);
   int count() const;  // Number of errors and warnings.
   bool hasErrors() const;
   QTableView& table() const { return *table_; }
@@ -54,6 +56,7 @@ class IssuesPanel : public QWidget {
   ScenarioDocument& document_;
   Theme theme_;
   std::array<QIcon, 3> icons_;  // By severity.
+  bool isRecorded_ = false;
   base::Diagnostics action_;
   base::Diagnostics issues_;    // As shown, most severe first.
   std::vector<QString> fixes_;  // Label of each fix; empty: no fix.

@@ -9666,6 +9666,10 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <source>No issues.</source>
         <translation>Sin problemas.</translation>
     </message>
+    <message>
+        <source>No issues. A recorded run is shown.</source>
+        <translation>Sin problemas. Se muestra una ejecución grabada.</translation>
+    </message>
 </context>
 <context>
     <name>editor::KindSwitch</name>

@@ -9666,6 +9666,10 @@ For each seed, all planners run with the same people.</source>
         <source>No issues.</source>
         <translation>没有问题。</translation>
     </message>
+    <message>
+        <source>No issues. A recorded run is shown.</source>
+        <translation>没有问题。正在显示录制的运行。</translation>
+    </message>
 </context>
 <context>
     <name>editor::KindSwitch</name>

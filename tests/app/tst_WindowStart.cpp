@@ -1,5 +1,7 @@
+#include "app/window/Docks.h"
 #include "app/window/StartPage.h"
 #include "editor/look/AppStyle.h"
+#include "editor/panels/IssuesPanel.h"
 #include "tests/app/QuietWindow.h"
 
 /// The start page: what it offers, found with keys and mouse, and its stored pictures.
@@ -214,6 +216,39 @@ class WindowStartTest : public QObject, protected quiet::InFolder {
     QCOMPARE(window_->workspace().recordedName(), QStringLiteral("people.csv"));
     QCOMPARE(document().scenario().humans.size(), std::size_t(2));
     QCOMPARE(window_->workspace().runner().recording()->timeOf(19), 1.9);
+  }
+
+  /// People who come later and far from the origin are in view from the start, without a list of
+  /// what a scenario of them would lack.
+  void import_peopleFarAway_areInView() {
+    QFile file(at("far.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("time,id,x,y\n");
+    for (int k = 0; k < 100; ++k) {
+      const double time = 0.1 * k;
+      file.write(QStringLiteral("%1,1,%2,40\n").arg(time).arg(90.0 + 0.1 * k).toUtf8());
+      if (k > 50) {
+        file.write(QStringLiteral("%1,2,95,%2\n").arg(time).arg(30.0 + 0.1 * k).toUtf8());
+      }
+    }
+    file.close();
+    QVERIFY(window_->open(at("far.csv")));
+    QTest::qWait(100);
+    const editor::MapView& view = window_->workspace().view();
+    const QRectF seen = view.mapToScene(view.viewport()->rect()).boundingRect();
+    for (const base::Vec2& place : {base::Vec2(90.0, 40.0), base::Vec2(99.9, 40.0),
+                                    base::Vec2(95.0, 35.1), base::Vec2(95.0, 39.9)}) {
+      QVERIFY(seen.contains(editor::toScene(place)));
+    }
+    QVERIFY2(seen.width() < 40.0, qPrintable(QString::number(seen.width())));
+    QCOMPARE(window_->docks().panel<editor::IssuesPanel>().count(), 0);
+    quiet::shoot(*window_, "imported");
+    window_->actions().close->trigger();
+    QVERIFY(window_->open(quiet::demoPath()));  // whose view is that of its map
+    QTest::qWait(100);
+    QVERIFY(!view.mapToScene(view.viewport()->rect())
+                 .boundingRect()
+                 .contains(editor::toScene(base::Vec2(90.0, 40.0))));
   }
 
   void import_brokenCsv_saysWhy() {

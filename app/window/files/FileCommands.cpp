@@ -30,6 +30,8 @@ FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues,
     }
   });
   connect(&workspace_, &Workspace::recordedRunClosed, this, &FileCommands::closeRun);
+  connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, &issues_,
+          [this] { issues_.setRecorded(workspace_.isRecordedRun()); });
 }
 
 void FileCommands::connectActions(const WindowActions& actions) {
