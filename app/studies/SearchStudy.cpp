@@ -1,5 +1,6 @@
 #include "app/studies/SearchStudy.h"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <utility>
@@ -99,12 +100,16 @@ class FailureSaver {
 
   void addCard(sim2d::Scenario& scenario, const SavedFailure& saved,
                const std::string& title) const {
+    const sim2d::ScenarioCard& original = scenario.desktop.card;
     sim2d::ScenarioCard card;
     card.title = title;
     card.family = "Failures";
     card.purpose = "Whether a robot avoids a failure that a search has found";
-    card.robotTask = scenario.desktop.card.robotTask;
+    card.robotTask = original.robotTask.value_or("Drive to the goal");
+    card.people = peopleText(scenario);
     card.outcome = "The robot reaches its goal without contact";
+    card.difficulty = sim2d::Difficulty::Hard;
+    card.licence = original.licence;
     card.metrics = {"success", "minimum_distance_to_people", "time_to_reach_goal"};
     const std::string study = fs::path(experiment_.path).filename().string();
     const std::string from = fs::path(saved.shrunk.request.scenario).stem().string();
@@ -112,6 +117,21 @@ class FailureSaver {
                   ", seed " + std::to_string(saved.shrunk.request.seed) +
                   (saved.keepsAll ? std::string(", as found") : shrinkText(saved.shrunk));
     scenario.desktop.card = card;
+  }
+
+  static std::string peopleText(const sim2d::Scenario& scenario) {
+    constexpr std::size_t kNamed = 5;
+    std::vector<std::string> names;
+    for (const sim2d::Human& human : scenario.humans) {
+      names.push_back(human.name);
+    }
+    const std::size_t count = names.size();
+    if (count == 0) {
+      return "None";
+    }
+    names.resize(std::min(count, kNamed));
+    return amountText(count, "person", "people") + ": " + base::join(names, ", ") +
+           (count > kNamed ? " …" : "");
   }
 
   static std::string shrinkText(const ShrunkFailure& shrunk) {
