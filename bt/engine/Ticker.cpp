@@ -283,7 +283,6 @@ bool Ticker::hasElapsed(const TimerMemory& timer, std::int64_t milliseconds) con
 /// Sequences (`stop` = FAILURE) and fallbacks (SUCCESS), reactive or not.
 template <base::NodeStatus stop>
 base::NodeStatus Ticker::instantSequence(Ticker& ticker, int node) {
-  Status* const returned = ticker.returned_;
   const Program::Node* here = ticker.nodes_ + node + 1;
   const Program::Node* const end = ticker.nodes_ + ticker.nodes_[node].end;
   while (here < end) {
@@ -292,7 +291,7 @@ base::NodeStatus Ticker::instantSequence(Ticker& ticker, int node) {
       ticker.leaf_.switchToNode(*here);
       status = here->tick(ticker.leaf_);
       if (status == kContinueStatus<stop> && !ticker.isFaulty_) {
-        returned[here->index] = status;
+        ticker.setReturned(here->index, status);
         ++here;
         continue;
       }
@@ -305,7 +304,7 @@ base::NodeStatus Ticker::instantSequence(Ticker& ticker, int node) {
     if (status == kFault) {
       return status;
     }
-    returned[here->index] = status;
+    ticker.setReturned(here->index, status);
     if (status == stop) {
       return status;
     }

@@ -74,6 +74,7 @@ class Ticker {
         nodes_(program.nodes().data()),
         stored_(state.stored()),
         returned_(state.returned()),
+        results_(state.results_),
         isFaulty_(state.fault_ != nullptr),
         leaf_(*this, input, 0) {}
 
@@ -108,6 +109,12 @@ class Ticker {
     return *static_cast<T*>(memoryOf(node));
   }
   Status& stored(int node) { return stored_[node]; }
+  [[gnu::always_inline]] void setReturned(int node, Status status) {
+    returned_[node] = status;
+    if (results_ != nullptr) {
+      results_[node] = base::with(results_[node], status);
+    }
+  }
   const Program::Conditions& conditionsOf(const Program::Node& node) const {
     return program_.conditions()[static_cast<std::size_t>(node.conditions)];
   }
@@ -226,7 +233,7 @@ class Ticker {
     if (status != Status::Skipped) {
       stored_[node] = status;
     }
-    returned_[node] = status;
+    setReturned(node, status);
     if (here.hasOneChild && isDone(stored_[node + 1])) {
       stored_[node + 1] = Status::Idle;
     }
@@ -236,7 +243,7 @@ class Ticker {
   [[gnu::always_inline]] Status tickInstant(const Program::Node& here, int node) {
     const Status status = here.tick ? synchronous(here, node, here.tick) : here.run(*this, node);
     if (status != kFault) {
-      returned_[node] = status;
+      setReturned(node, status);
     }
     return status;
   }
@@ -284,6 +291,7 @@ class Ticker {
   const Program::Node* nodes_;  // cached, together with two status arrays, for speed
   Status* stored_;
   Status* returned_;
+  base::StatusSet* results_;  // null: not recorded
   bool isFaulty_;
   int rounds_ = 0;    // child ticks by decorators and library nodes
   LeafContext leaf_;  // of the current synchronous leaf or the node whose ports are read

@@ -11,6 +11,7 @@
 
 #include "bt/engine/NodeLibrary.h"
 #include "bt/engine/Program.h"
+#include "sim2d/base/TreeResults.h"
 
 /// The running tree of one agent: a few bytes per node and the blackboard. A tick does not
 /// allocate. Follows BehaviorTree.CPP 4.10 (tickExactlyOnce) with simulated time. Not synchronised;
@@ -61,6 +62,10 @@ class TreeState {
   /// Restores the initial state (RunOnce nodes, entries); no halt function is called.
   void reset();
 
+  /// From now on, each status that a node returns is added to `results[node]`; null: no longer. The
+  /// memory must outlive the ticks; trees of the same program can share it.
+  void recordResults(base::StatusSet* results) { results_ = results; }
+
   const Program& program() const { return *program_; }
 
   /// Result of each node in the last tick; IDLE: not ticked. Valid until the next tick.
@@ -104,6 +109,7 @@ class TreeState {
   std::unique_ptr<Slot[]> slots_;
   std::vector<LeafEvent> events_;
   std::unique_ptr<TreeFault> fault_;
+  base::StatusSet* results_ = nullptr;  // per node, see recordResults()
 };
 
 }  // namespace bt

@@ -127,8 +127,10 @@ void Breakpoints::forget(int person) {
 struct AgentTree {
   const AgentProgram* program = nullptr;
   std::optional<TreeState> tree;
-  std::unique_ptr<NodeStatus[]> shown;  // last published status per node
-  bool isTicking = false;               // ticked in the last step
+  std::unique_ptr<NodeStatus[]> shown;   // last published status per node
+  std::vector<base::StatusSet> results;  // of all visits, per node
+  std::string owner;                     // name of the person
+  bool isTicking = false;                // ticked in the last step
   bool hasEnded = false;
   bool isFaulty = false;
 };
@@ -165,6 +167,16 @@ class TreeBehavior final : public sim2d::HumanBehavior {
     changes_.clear();
     changes_.forColumns(
         changes, [](auto& column, std::size_t usual) { sim2d::shrinkExcess(column, usual); });
+  }
+  std::vector<base::TreeResults> treeResults() const override {
+    std::vector<base::TreeResults> all;
+    for (const int human : order_) {
+      const AgentTree& who = agentTrees_[static_cast<std::size_t>(human)];
+      if (!who.results.empty()) {
+        base::addTreeResults({who.owner, who.program->program->paths(), who.results}, all);
+      }
+    }
+    return all;
   }
   void takeDiagnostics(Diagnostics& found) override {
     found = std::move(society_.pendingDiagnostics);
@@ -230,7 +242,10 @@ void TreeBehavior::enter(int human, const WorldView& view) {
     who.tree = who.program->start(constants);
     if (who.shown == nullptr) {
       who.shown = std::make_unique<NodeStatus[]>(who.tree->statuses().size());  // IDLE
+      who.results.resize(who.tree->statuses().size());
+      who.owner = constants.name;
     }
+    who.tree->recordResults(who.results.data());
   }
   who.isTicking = false;
   who.hasEnded = false;

@@ -59,6 +59,7 @@ class Nav2Planner final : public sim2d::Planner {
         driving_{loaded_.program->paths(), {}} {
     driving_.statuses.resize(static_cast<std::size_t>(loaded_.program->nodeCount()),
                              NodeStatus::Idle);
+    results_.record(*tree_);
   }
 
   bool needsMap() const override { return true; }
@@ -164,6 +165,14 @@ class Nav2Planner final : public sim2d::Planner {
     return std::exchange(end_, std::nullopt);
   }
   const sim2d::TreeStatus* tree() const override { return &driving_; }
+  std::vector<base::TreeResults> treeResults() const override {
+    std::vector<base::TreeResults> results = results_.all();
+    if (servers_ != nullptr) {
+      const std::vector<base::TreeResults> nested = servers_->nestedTreeResults();
+      results.insert(results.end(), nested.begin(), nested.end());
+    }
+    return results;
+  }
   std::string manifestJson() const override {
     return servers_ == nullptr ? std::string()
                                : nav2Report(loaded_, servers_->counts(), latencies_, setup_);
@@ -225,6 +234,7 @@ class Nav2Planner final : public sim2d::Planner {
     loaded_.treeFile = loaded_.throughPosesFile;
     loaded_.isThroughPoses = true;
     tree_ = std::make_unique<TreeState>(loaded_.program);
+    results_.record(*tree_);
     driving_.paths = loaded_.program->paths();
     driving_.statuses.assign(static_cast<std::size_t>(loaded_.program->nodeCount()),
                              NodeStatus::Idle);
@@ -311,6 +321,7 @@ class Nav2Planner final : public sim2d::Planner {
   Nav2Waypoints waypoints_;
   std::unique_ptr<TreeState> tree_;
   sim2d::TreeStatus driving_;
+  ProgramResults results_;
   std::unique_ptr<Nav2Servers> servers_;
   Nav2GoalTracker route_;
   std::optional<double> startTime_;             // [s], first call

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -12,6 +13,7 @@
 
 #include "bt/engine/TreeState.h"
 #include "bt/robot/Nav2Files.h"
+#include "sim2d/base/TreeResults.h"
 #include "sim2d/map/CostGrid.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/nav/Observation.h"
@@ -97,6 +99,30 @@ struct Nav2Statistics {
 /// Stores a waypoint list with all goals pending and returns its number.
 std::int64_t addPendingWaypoints(NavigatorHost& host, const sim2d::nav2::Path& goals);
 
+/// What the nodes of trees have returned, by program; trees of one program share an entry.
+class ProgramResults {
+ public:
+  /// The tree adds its statuses from now on; this must outlive its ticks.
+  void record(TreeState& tree) {
+    const auto& paths = tree.program().paths();
+    std::vector<base::StatusSet>& returned = returned_[paths];
+    returned.resize(paths->size());
+    tree.recordResults(returned.data());
+  }
+  std::vector<base::TreeResults> all() const {
+    std::vector<base::TreeResults> results;
+    for (const auto& [paths, returned] : returned_) {
+      base::addTreeResults({{}, paths, returned}, results);
+    }
+    std::sort(results.begin(), results.end(),
+              [](const auto& a, const auto& b) { return *a.paths < *b.paths; });
+    return results;
+  }
+
+ private:
+  std::map<std::shared_ptr<const std::vector<std::string>>, std::vector<base::StatusSet>> returned_;
+};
+
 /// A navigation requested by a node of another tree: its own tree and blackboard on the servers of
 /// the same host. Not synchronised.
 class NestedNavigation {
@@ -104,6 +130,7 @@ class NestedNavigation {
   /// `goals`: a path of one or more poses. `waypoints`: their statuses.
   NestedNavigation(RobotAction action, std::shared_ptr<const Program> program, PathId goals,
                    std::int64_t waypoints);
+  void recordResults(ProgramResults& results) { results.record(tree_); }
 
   RobotAction action() const { return action_; }
   PathId goals() const { return goals_; }
@@ -165,6 +192,7 @@ class Nav2Servers final : public NavigatorHost {
   /// Whether the controller keeps its evaluated trajectories, for display.
   void recordTrajectories(bool wanted) { recordsTrajectories_ = wanted; }
 
+  std::vector<base::TreeResults> nestedTreeResults() const { return nestedResults_.all(); }
   const Nav2Statistics& counts() const { return counts_; }
   void countTreeFailure() { ++counts_.treeFailures; }
   /// The last failed action in this run of the tree; empty: all succeeded.
@@ -291,6 +319,7 @@ class Nav2Servers final : public NavigatorHost {
   std::optional<sim2d::BodyTwist> command_;       // published in this step
   std::deque<sim2d::BodyTwist> delayedCommands_;  // delayed commands, oldest first
   PathId goal_ = 0;
+  ProgramResults nestedResults_;
   std::optional<NestedNavigation> navigation_;  // requested by a node of the tree
   RobotOutcome navigated_;                      // its outcome
   bool isNavigating_ = false;                   // its tree is being ticked

@@ -76,6 +76,7 @@ void Nav2Servers::beginNavigation(RobotAction action, const RobotRequest& reques
   } else {
     navigated_ = {};
     navigation_.emplace(action, program, request.path, addPendingWaypoints(*this, goals));
+    navigation_->recordResults(nestedResults_);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "sim2d/base/Registry.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/base/StopFlag.h"
+#include "sim2d/base/TreeResults.h"
 #include "sim2d/map/CostGrid.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/nav/Observation.h"
@@ -148,6 +149,9 @@ class Planner {
   virtual std::vector<PlannerEvent> takeEvents() { return {}; }
   /// Behaviour tree that drives the robot; null: none.
   virtual const TreeStatus* tree() const { return nullptr; }
+  /// What the nodes of its trees have returned since the beginning, also of trees that are not
+  /// recorded; the owner is left empty.
+  virtual std::vector<base::TreeResults> treeResults() const { return {}; }
   /// Additional content of the run manifest, as JSON; empty: none.
   virtual std::string manifestJson() const { return {}; }
 };

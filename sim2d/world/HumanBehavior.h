@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
+#include "sim2d/base/TreeResults.h"
 #include "sim2d/base/Types.h"
 #include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/Scenario.h"
@@ -164,6 +165,8 @@ class HumanBehavior {
   virtual void decide(const WorldView& view, Intents& intents) = 0;
   /// Status changes of tree nodes in the last step, by id, then node.
   virtual void takeTreeChanges(TreeChanges& changes) { changes.clear(); }
+  /// What the nodes of people's trees have returned since the beginning; one entry per person.
+  virtual std::vector<base::TreeResults> treeResults() const { return {}; }
   /// Problems since the last call (a faulty tree, an unknown id), once per cause.
   virtual void takeDiagnostics(base::Diagnostics& found) { found.clear(); }
   /// Tree and blackboard entries of a person for display, as (key, value); may be empty.

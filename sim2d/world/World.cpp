@@ -385,6 +385,17 @@ std::vector<RobotStatus> World::robotStatuses() const {
   return robots;
 }
 
+std::vector<base::TreeResults> World::treeResults() const {
+  std::vector<base::TreeResults> results = behavior_->treeResults();
+  for (std::size_t i = 0; i < robots_.planners().size(); ++i) {
+    for (base::TreeResults& each : robots_.planners()[i]->treeResults()) {
+      each.owner = model_.robots[i].name;
+      results.push_back(std::move(each));
+    }
+  }
+  return results;
+}
+
 std::vector<std::string> World::plannerReports() const {
   std::vector<std::string> reports;
   for (const std::shared_ptr<Planner>& planner : robots_.planners()) {

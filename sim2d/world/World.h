@@ -176,6 +176,9 @@ class World : public WorldBase {
   /// Same, but robots whose planners ended the last goals without an arrival count too.
   std::optional<double> finishedAt() const;
   std::vector<RobotStatus> robotStatuses() const;  // -1, -2 …
+  /// What the nodes of all behaviour trees have returned since the beginning: of people by id, then
+  /// of robots.
+  std::vector<base::TreeResults> treeResults() const;
   /// Additional manifest content of the planners, as JSON; empty: none.
   std::vector<std::string> plannerReports() const;                          // -1, -2 …
   TraceHeader header() const { return makeHeader(model_, surroundings_); }  // current

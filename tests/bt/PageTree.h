@@ -145,6 +145,7 @@ class Node {
   Node(const Spec& spec, Board& board, Stage& stage) : spec_(spec), board_(board), stage_(stage) {}
 
   Status status = Status::Idle;
+  std::set<Status> returned;  // by all ticks
   std::vector<std::unique_ptr<Node>> children;
   std::unique_ptr<Board> below;  // of a SubTree
 
@@ -168,6 +169,7 @@ class Node {
     if (isDecorator() && isDone(children[0]->status)) {
       children[0]->status = Status::Idle;
     }
+    returned.insert(result);
     return result;
   }
   /// "Halt if RUNNING, then reset."

@@ -152,7 +152,11 @@ QString differingEntry(const bt::TreeState& state, page::Board& board) {
 class Pair {
  public:
   Pair(const page::Drawn& drawn, std::shared_ptr<const bt::Program> program)
-      : ours_(drawn.answers), theirs_(drawn.answers), state_(std::move(program)) {
+      : ours_(drawn.answers),
+        theirs_(drawn.answers),
+        state_(std::move(program)),
+        returned_(static_cast<std::size_t>(state_.program().nodeCount())) {
+    state_.recordResults(returned_.data());
     host_.script = &ours_;
     stage_.answer = [this](const std::string& leaf) {
       const char letter = theirs_.next(leaf);
@@ -197,7 +201,37 @@ class Pair {
     return !areFaults && result.difference.isEmpty();
   }
 
+  /// What each node has returned in all ticks; empty: the same.
+  QString differingResult() const {
+    std::size_t place = 0;
+    const QString found = differingResult(*root_, place);
+    return found.isEmpty() && place != returned_.size() ? QStringLiteral("the numbers of nodes")
+                                                        : found;
+  }
+
  private:
+  /// Of the node at this place of the order of the file, and of those below it.
+  QString differingResult(const page::Node& node, std::size_t& place) const {
+    const std::size_t own = place++;
+    for (const page::Status status : {page::Status::Running, page::Status::Success,
+                                      page::Status::Failure, page::Status::Skipped}) {
+      const bool isTheirs = node.returned.count(status) > 0;
+      if (own >= returned_.size() ||
+          isTheirs != base::contains(returned_[own], static_cast<NodeStatus>(status))) {
+        return QStringLiteral("%1 has%2 returned %3 there")
+            .arg(QString::fromStdString(state_.program().path(static_cast<int>(own))),
+                 isTheirs ? QString() : QStringLiteral(" not"), QLatin1String(nameOf(status)));
+      }
+    }
+    for (const auto& child : node.children) {
+      const QString found = differingResult(*child, place);
+      if (!found.isEmpty()) {
+        return found;
+      }
+    }
+    return {};
+  }
+
   Script ours_;
   Script theirs_;
   Host host_;
@@ -205,6 +239,7 @@ class Pair {
   page::Board board_;
   std::unique_ptr<page::Node> root_;
   bt::TreeState state_;
+  std::vector<base::StatusSet> returned_;
 };
 
 Comparison compare(const page::Drawn& drawn, const bt::NodeLibrary& library) {
@@ -220,7 +255,12 @@ Comparison compare(const page::Drawn& drawn, const bt::NodeLibrary& library) {
     return result;
   }
   Pair pair(drawn, *program);
-  for (int number = 1; number <= kTicks && pair.tick(number, result); ++number) {
+  int number = 1;
+  while (number <= kTicks && pair.tick(number, result)) {
+    ++number;
+  }
+  if (number > kTicks) {  // no fault, nothing that the description leaves open
+    result.difference = pair.differingResult();
   }
   return result;
 }
