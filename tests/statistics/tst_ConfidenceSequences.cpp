@@ -54,7 +54,7 @@ std::vector<Population> populations() {
 class ConfidenceSequencesTest : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   /// A sequence that excludes the mean after any of its rounds counts as missed.
   void interval_lookedAtAfterEachRound_coversInAtLeast95Percent() {
     constexpr int kSequences = 1000;
