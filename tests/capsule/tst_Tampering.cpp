@@ -90,10 +90,9 @@ bool changeBothTables(const AlteredCapsule& in) {
     }
     base::append(problems, (*changed)->add(run));
   });
-  base::append(problems, (*changed)->close());
   const std::string csv = in.path("study/results.csv").toStdString();
-  QFile::remove(small::textOf(csv));
   base::append(problems, app::writeResults(**changed, csv));
+  base::append(problems, (*changed)->close());
   QFile::remove(small::textOf(path));
   return problems.empty() && QFile::rename(small::textOf(other), small::textOf(path));
 }
@@ -241,7 +240,7 @@ const Tampering kTamperings[] = {
      [](const AlteredCapsule& in) {
        return in.replace("study/runs/0/events.csv", ",stop,", ",stuck,");
      },
-     "study/runs/0/events.csv", "kind of id"},
+     "study/runs/0/events.csv", "kind is stuck, the repeated run has stop"},
     {"renewed: metric of a run", Everywhere, AllRuns,
      replacing("study/runs/0/metrics.json", "\"profile\": \"corrected\"",
                "\"profile\": \"hunav2\""),
