@@ -72,7 +72,7 @@ void testNumbers(const Study& study, const statistics::Strata& strata, PairTest&
 
 /// The number of pairs required, for the pairs that differ, divided by their share. If at least
 /// half of the pairs tie, the ranks contain little more information than the signs.
-double requiredPairsFor(const PairResult& pair) {
+double requiredPairsFor(const PairTest& pair) {
   const auto pairs = static_cast<double>(pair.differences.size());
   const int differing = pair.higher + pair.lower;
   if (2.0 * differing <= pairs) {
@@ -83,6 +83,32 @@ double requiredPairsFor(const PairResult& pair) {
                [](double difference) { return difference != 0.0; });
   const double enough = statistics::pairsForSignedRank(statistics::chanceOfPositiveSum(told));
   return std::ceil(enough * pairs / differing);
+}
+
+/// Sets how many pairs are enough, and which difference the pairs find. `deviation`: of the
+/// differences within cases.
+void addPower(bool isRate, double deviation, PairTest& pair) {
+  const auto pairs = static_cast<double>(pair.differences.size());
+  const double first = pair.higher / pairs;
+  const double second = pair.lower / pairs;
+  pair.requiredPairs = isRate ? statistics::pairsForMcNemar(first, second) : requiredPairsFor(pair);
+  pair.detectable = isRate ? statistics::detectableRateDifference(first + second, pairs)
+                           : statistics::detectableShift(deviation, pairs);
+}
+
+/// The standard deviation of differences about the mean of their case.
+double deviationWithin(const statistics::Strata& strata) {
+  double squares = 0.0;
+  double freedom = 0.0;
+  for (const Numbers& differences : strata) {
+    if (differences.size() > 1) {
+      const double deviation = statistics::standardDeviation(differences);
+      const auto ofCase = static_cast<double>(differences.size() - 1);
+      squares += ofCase * deviation * deviation;
+      freedom += ofCase;
+    }
+  }
+  return freedom > 0.0 ? std::sqrt(squares / freedom) : statistics::kUndefined;
 }
 
 /// Tests each case, and all cases together.
@@ -97,15 +123,14 @@ void testPair(const Study& study, bool isRate, PairResult& pair) {
     } else {
       testNumbers(study, {strata.back()}, ofCase);
     }
+    addPower(isRate, deviationWithin({strata.back()}), ofCase);
   }
-  const auto pairs = static_cast<double>(pair.differences.size());
   if (isRate) {
     testRates(study, outcomes, pair);
-    pair.requiredPairs = statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs);
   } else {
     testNumbers(study, strata, pair);
-    pair.requiredPairs = requiredPairsFor(pair);
   }
+  addPower(isRate, deviationWithin(strata), pair);
 }
 
 void addDifference(double difference, PairTest& to) {

@@ -28,6 +28,9 @@ struct PairTest {
   int higher = 0, lower = 0;              // number of blocks in which first is higher, lower
   double shift = statistics::kUndefined;  // Hodges-Lehmann; for rates, the difference
   Interval shiftInterval;
+  /// Number of pairs for 80 % power to find such a difference; smallest difference > 0 that these
+  /// pairs find with 80 % power, both at the level 5 %.
+  double requiredPairs = statistics::kUndefined, detectable = statistics::kUndefined;
   double p = statistics::kUndefined;         // signed-rank; for rates, McNemar; NaN: no blocks
   double adjusted = statistics::kUndefined;  // Holm-adjusted over all tests of the table
 };
@@ -39,10 +42,9 @@ struct PairResult : PairTest {
     std::size_t number = 0;       // index of the case
     int both = 0;                 // for rates: blocks in which both succeed
   };
-  std::size_t first = 0, second = 0;              // option indices
-  std::vector<CaseResult> cases;                  // cases that have blocks with both
-  double delta = statistics::kUndefined;          // Cliff's delta, within cases
-  double requiredPairs = statistics::kUndefined;  // number of pairs for 80 % power
+  std::size_t first = 0, second = 0;      // option indices
+  std::vector<CaseResult> cases;          // cases that have blocks with both
+  double delta = statistics::kUndefined;  // Cliff's delta, within cases
 };
 
 /// An option compared with the best option of a metric, on the blocks in which both have values.

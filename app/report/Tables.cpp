@@ -14,6 +14,10 @@ namespace {
 using Cell = Table::Cell;
 
 constexpr double kManyPairs = 9999.0;
+constexpr const char* kPowerText =
+    "Enough: number of pairs required to detect a difference such as the observed one. Detectable: "
+    "smallest difference that this number of pairs can detect (both: power 80 %, level 5 % without "
+    "adjustment).";
 
 std::string comparedName(const Study& study) {
   return study.compared.empty() ? "Option" : study.compared;
@@ -140,6 +144,23 @@ void addTest(const Study& study, const MetricComparison& comparison, const PairT
   row.push_back(pValueCell(test.adjusted, test.adjusted < kSignificance));
 }
 
+/// Adds the cells: pairs that are enough for the difference, difference that the pairs find.
+/// `cases`: of the test, to state seeds.
+void addPowerCells(const Study& study, const MetricComparison& comparison, const PairTest& test,
+                   std::size_t cases, std::vector<Cell>& row) {
+  const Metric& metric = study.metrics[comparison.metric];
+  Cell enough =
+      numberCell(test.requiredPairs > kManyPairs ? "> 9999" : numberText(test.requiredPairs, 0),
+                 test.requiredPairs);
+  if (cases > 1 && test.requiredPairs <= kManyPairs) {
+    const double seeds = std::ceil(test.requiredPairs / static_cast<double>(cases));
+    enough.note = numberText(seeds, 0) + (seeds == 1.0 ? " seed" : " seeds");
+  }
+  row.push_back(std::move(enough));
+  const int decimals = decimalsFor(test.detectable, test.shiftInterval);
+  row.push_back(numberCell(estimateText(metric, test.detectable, decimals), test.detectable));
+}
+
 /// The numbers of cases in which the first option is higher, equal and lower by the typical
 /// difference.
 std::string directionsOf(const PairResult& pair) {
@@ -158,9 +179,7 @@ std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison
   std::vector<Cell> row = namesOfPair(study, comparison, pair);
   addTest(study, comparison, pair, row);
   row.push_back(numberCell(numberText(pair.delta, 2), pair.delta));
-  row.push_back(
-      numberCell(pair.requiredPairs > kManyPairs ? "> 9999" : numberText(pair.requiredPairs, 0),
-                 pair.requiredPairs));
+  addPowerCells(study, comparison, pair, pair.cases.size(), row);
   if (study.cases.size() > 1) {
     row.push_back({directionsOf(pair)});
   }
@@ -177,6 +196,33 @@ std::vector<const PairResult*> listedPairs(const MetricComparison& comparison, b
     pairs.push_back(&pair);
   }
   return pairs;
+}
+
+/// The number of blocks with which the largest difference of mean ranks is Nemenyi's critical one;
+/// NaN: all mean ranks are equal.
+double enoughBlocks(const MetricComparison& comparison) {
+  const Numbers& ranks = comparison.friedman->meanRanks;
+  const auto [least, most] = std::minmax_element(ranks.begin(), ranks.end());
+  const double ratio = comparison.criticalDifference / (*most - *least);
+  return *most > *least ? std::ceil(comparison.friedman->blocks * ratio * ratio)
+                        : statistics::kUndefined;
+}
+
+/// "Success 12 %, Path length [m] 0.62": the largest of the differences that the listed pairs of a
+/// metric can detect. Empty if there are none.
+std::string detectableText(const Study& study, const Comparisons& comparisons) {
+  std::vector<std::string> words;
+  for (const MetricComparison& comparison : comparisons) {
+    double most = statistics::kUndefined;
+    for (const PairResult* pair : shownPairs(comparison)) {
+      most = std::isnan(most) ? pair->detectable : std::max(most, pair->detectable);
+    }
+    const Metric& metric = study.metrics[comparison.metric];
+    if (!std::isnan(most)) {
+      words.push_back(titleOf(metric) + " " + estimateText(metric, most, decimalsFor(most)));
+    }
+  }
+  return base::join(words, ", ");
 }
 
 std::vector<std::string> summaryRow(const Study& study, std::size_t metric, const Numbers& values) {
@@ -235,6 +281,12 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
     if (std::any_of(comparisons.begin(), comparisons.end(), hasFailure)) {
       table.caption += " Options that never succeed are never marked as best.";
     }
+    const std::string detectable = detectableText(study, comparisons);
+    if (!detectable.empty()) {
+      table.caption +=
+          " Smallest differences that pairs of these runs can detect (power 80 %): " + detectable +
+          ".";
+    }
   }
   if (!weights.empty()) {
     table.caption += " Composite score with weights: " + weightsText(weights) +
@@ -270,7 +322,8 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
   table.name = "pairs";
   table.columns = {{"Metric", {}, false},   {"Pair", {}, false},      {"Pairs", {}, true},
                    {"+ / = / −", {}, true}, {"Difference", {}, true}, {"p", {}, true},
-                   {"p, Holm", {}, true},   {"δ", {}, true},          {"Enough", {}, true}};
+                   {"p, Holm", {}, true},   {"δ", {}, true},          {"Enough", {}, true},
+                   {"Detectable", {}, true}};
   const bool hasCases = study.cases.size() > 1;
   if (hasCases) {
     table.columns.push_back({"Cases + / = / −", {}, true});
@@ -286,9 +339,7 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
       "difference of rates) with its confidence interval, level " +
       levelText(study.level) +
       ". p: signed-rank test (rates: McNemar's test). p, Holm: adjusted over " +
-      allTests(testCounts(comparisons).pairs) +
-      ". δ: Cliff's delta. Enough: number of pairs required to detect such a difference "
-      "(power 80 %, level 5 %)." +
+      allTests(testCounts(comparisons).pairs) + ". δ: Cliff's delta. " + kPowerText +
       (hasCases
            ? " Differences are ranked within their case and combined over cases (van Elteren). "
              "Cases + / = / −: number of cases in which the first option is higher, equal, lower."
@@ -307,9 +358,10 @@ std::optional<Table> casePairsTable(const Study& study, const Comparisons& compa
   }
   Table table;
   table.name = "pairs_by_case";
-  table.columns = {{"Metric", {}, false}, {"Pair", {}, false},     {"Case", {}, false},
-                   {"Pairs", {}, true},   {"+ / = / −", {}, true}, {"Difference", {}, true},
-                   {"p", {}, true},       {"p, Holm", {}, true}};
+  table.columns = {{"Metric", {}, false},   {"Pair", {}, false},     {"Case", {}, false},
+                   {"Pairs", {}, true},     {"+ / = / −", {}, true}, {"Difference", {}, true},
+                   {"p", {}, true},         {"p, Holm", {}, true},   {"Enough", {}, true},
+                   {"Detectable", {}, true}};
   bool isCut = false;
   for (const MetricComparison& comparison : comparisons) {
     for (const PairResult* pair : listedPairs(comparison, all)) {
@@ -321,12 +373,13 @@ std::optional<Table> casePairsTable(const Study& study, const Comparisons& compa
         std::vector<Cell> row = namesOfPair(study, comparison, *pair);
         row.push_back({study.cases[ofCase.number]});
         addTest(study, comparison, ofCase, row);
+        addPowerCells(study, comparison, ofCase, 1, row);
         table.rows.push_back(std::move(row));
       }
     }
   }
   table.caption = "The same pairs separately for each case. p, Holm: adjusted over " +
-                  allTests(testCounts(comparisons).casePairs) + "." +
+                  allTests(testCounts(comparisons).casePairs) + ". " + kPowerText +
                   std::string(isCut ? " The first " + std::to_string(kMaxRows) +
                                           " rows are listed; tables/pairs_by_case.csv contains all."
                                     : "");
@@ -338,7 +391,8 @@ std::optional<Table> familyTable(const Study& study, const Comparisons& comparis
   table.name = "friedman";
   table.columns = {
       {"Metric", {}, false}, {"Blocks", {}, true}, {"χ²", {}, true},           {"p", {}, true},
-      {"F", {}, true},       {"p of F", {}, true}, {"p of F, Holm", {}, true}, {"CD", {}, true}};
+      {"F", {}, true},       {"p of F", {}, true}, {"p of F, Holm", {}, true}, {"CD", {}, true},
+      {"Enough", {}, true}};
   for (const MetricComparison& comparison : comparisons) {
     if (!comparison.friedman) {
       continue;
@@ -352,14 +406,17 @@ std::optional<Table> familyTable(const Study& study, const Comparisons& comparis
          {std::isinf(test.f) ? std::string("∞") : numberText(test.f, 2)},
          pValueCell(test.fP),
          pValueCell(comparison.friedmanAdjusted, comparison.friedmanAdjusted < kSignificance),
-         {numberText(comparison.criticalDifference, 2)}});
+         {numberText(comparison.criticalDifference, 2)},
+         numberCell(numberText(enoughBlocks(comparison), 0), enoughBlocks(comparison))});
   }
   table.caption =
       "Friedman's test over all options, for blocks in which every option has a value. F: "
       "statistic of Iman and Davenport. p of F, Holm: adjusted over " +
       allTests(testCounts(comparisons).friedman) +
       ". CD: Nemenyi's critical difference of mean ranks (level 5 "
-      "%).";
+      "%), the smallest that these blocks can show. Enough: number of blocks with which the "
+      "largest "
+      "observed difference is the critical one.";
   return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }
 

@@ -270,6 +270,34 @@ double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power) 
   return std::max(fewest, std::ceil(sum * sum / (difference * difference)));
 }
 
+double detectableRateDifference(double discordant, double pairs, const Power& power) {
+  if (!(pairs >= 1.0) || std::isnan(discordant)) {
+    return kUndefined;
+  }
+  const auto isEnough = [&](double difference) {
+    const double differing = std::max(discordant, difference);
+    const double first = 0.5 * (differing + difference);
+    return pairsForMcNemar(first, differing - first, power) <= pairs;
+  };
+  double out = 0.0;
+  double within = 1.0;
+  if (!isEnough(within)) {
+    return kUndefined;
+  }
+  constexpr int kHalvings = 30;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (out + within);
+    (isEnough(middle) ? within : out) = middle;
+  }
+  return within;
+}
+
+double detectableShift(double deviation, double pairs, const Power& power) {
+  constexpr double kPi = 3.14159265358979323846;
+  const auto [z, zPower] = quantilesOf(power);
+  return pairs >= 2.0 ? (z + zPower) * deviation * std::sqrt(kPi / (3.0 * pairs)) : kUndefined;
+}
+
 double pairsForSignedRank(double chancePositive, const Power& power) {
   if (std::isnan(chancePositive) || chancePositive == 0.5) {
     return kUndefined;

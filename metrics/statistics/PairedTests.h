@@ -56,6 +56,15 @@ double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power =
 /// JASA 82, equation 8), p' the probability that the sum of two differences is positive. p' = 1/2
 /// or undefined: NaN.
 double pairsForSignedRank(double chancePositive, const Power& power = {});
+/// The smallest difference of rates that McNemar's test finds with the power: the δ for which
+/// pairsForMcNemar() is at most the number of pairs, for this share of pairs that differ, or δ if
+/// that is larger. No δ up to 1, or no pairs: NaN.
+double detectableRateDifference(double discordant, double pairs, const Power& power = {});
+/// The smallest shift that the signed-rank test finds with the power, if differences are normal
+/// with this standard deviation: (z + z') σ √(π / (3 n)). That is the shift of the t test divided
+/// by the root of the relative efficiency 3 / π (Lehmann 1975, Nonparametrics, 4.3). n < 2: NaN.
+double detectableShift(double deviation, double pairs, const Power& power = {});
+
 /// Estimate of p': share of pairs of differences with a positive sum, ties count half. n < 2: NaN.
 double chanceOfPositiveSum(Numbers differences);
 

@@ -40,7 +40,7 @@ class UntilProgramTest : public QObject, InFolder {
     QCOMPARE(readCsv(path("1/results.csv")).size(), std::size_t{16});
     const QJsonObject manifest = manifestOf("1");
     QCOMPARE(manifest[text("status")].toString(), text("finished"));
-    QCOMPARE(manifest[text("until")][text("seeds")].toInt(), 16);
+    QCOMPARE(manifest[text("until")].toObject()[text("seeds")].toInt(), 16);
     QCOMPARE(failureOf("report % --no-pdf", {path("1")}), QString());
     QVERIFY(bytesOf(path("1/report.html")).contains("ended after 16 seeds"));
     // Finished: there is nothing to resume, and a new batch may replace it.
@@ -54,7 +54,8 @@ class UntilProgramTest : public QObject, InFolder {
     const Finished batch = runProgram("batch % -o %", {file, path("narrow")});
     QCOMPARE(unexpected(batch, 0, "the largest number of seeds was not enough"), QString());
     QCOMPARE(readCsv(path("narrow/results.csv")).size(), std::size_t{6});
-    QCOMPARE(manifestOf("narrow")[text("until")][text("met")].toBool(true), false);
+    QCOMPARE(manifestOf("narrow").value(text("until")).toObject().value(text("met")).toBool(true),
+             false);
   }
 
   void batch_shardsAndScripts_areRefused() {

@@ -107,8 +107,8 @@ class StoppingRuleTest : public QObject {
     QFETCH(QString, until);
     QFETCH(QString, code);
     const auto experiment = app::parseExperiment(textWith(until.toStdString()), "test.yaml");
-    QVERIFY(!experiment.ok());
-    QCOMPARE(QString::fromStdString(experiment.diagnostics().front().code), code);
+    QVERIFY(!experiment);
+    QCOMPARE(std::string(experiment.diagnostics().front().code), code.toStdString());
     QCOMPARE(experiment.diagnostics().front().line, 6);
   }
 
@@ -117,8 +117,8 @@ class StoppingRuleTest : public QObject {
         app::parseExperiment("hunavsim_experiment: 1\nscenarios: [" + kScene +
                                  "]\nseeds: 4\nuntil: {metric: success, halfwidth: 0.1}\n",
                              "test.yaml");
-    QVERIFY(!experiment.ok());
-    QCOMPARE(experiment.diagnostics().front().code, std::string("experiment.until-seeds"));
+    QVERIFY(!experiment);
+    QVERIFY(experiment.diagnostics().front().code == "experiment.until-seeds");
   }
 
   /// Successes alone: the interval ends at 1, and begins at m where the factors are

@@ -72,8 +72,10 @@ class ConfidenceSequencesTest : public QObject {
         }
         missed += isMissed ? 1 : 0;
       }
-      QVERIFY2(missed <= kSequences / 20,
-               qPrintable(QStringLiteral("%1: %2 of %3").arg(of.name).arg(missed).arg(kSequences)));
+      QVERIFY2(missed <= kSequences / 20, qPrintable(QStringLiteral("%1: %2 of %3")
+                                                         .arg(QLatin1String(of.name))
+                                                         .arg(missed)
+                                                         .arg(kSequences)));
     }
   }
 

@@ -1,9 +1,11 @@
+#include <cmath>
 #include <limits>
 
 #include <QtTest>
 
 #include "metrics/statistics/PairedTests.h"
 #include "metrics/statistics/Summary.h"
+#include "sim2d/base/Rng.h"
 #include "tests/statistics/Near.h"
 
 using namespace statistics;
@@ -251,6 +253,34 @@ class SummaryTest : public QObject {
 
   /// By hand: (1.95996 + 0.84162)² / (3 * 0.2²) = 7.8489 / 0.12 = 65.4; power 90 %:
   /// (1.95996 + 1.28155)² / 0.12 = 87.6.
+  /// Solved for δ with Python, by bisection of Connor's formula.
+  void detectableRateDifference_otherProgram_isEqual() {
+    VERIFY_NEAR(detectableRateDifference(0.2, 100), 0.123819331484, 1e-8);
+    VERIFY_NEAR(detectableRateDifference(0.4, 30), 0.310942918823, 1e-8);
+    VERIFY_NEAR(detectableRateDifference(0.1, 400), 0.044166521985, 1e-8);
+    VERIFY_NEAR(detectableRateDifference(0.0, 50), 0.149717150012, 1e-8);  // all in one direction
+    QVERIFY(std::isnan(detectableRateDifference(0.2, 0)));
+    QVERIFY(std::isnan(detectableRateDifference(0.2, 5)));  // the exact test cannot reach 5 %
+  }
+
+  /// Of normal differences with this shift, the test finds 80 %: 1000 samples, ± 4 %.
+  void detectableShift_simulatedTests_findItWithThePower() {
+    VERIFY_NEAR(detectableShift(1.0, 100), 0.28669369782831, 1e-12);
+    QVERIFY(std::isnan(detectableShift(1.0, 1)));
+    constexpr int kPairs = 40;
+    const double shift = detectableShift(2.0, kPairs);
+    int found = 0;
+    for (int sample = 0; sample < 1000; ++sample) {
+      Numbers differences;
+      const base::AgentRng rng(3, 0, static_cast<std::uint64_t>(sample));
+      for (std::uint32_t k = 0; k < kPairs; ++k) {
+        differences.push_back(rng.normal(shift, 2.0, base::DrawPurpose::Test, k));
+      }
+      found += stratifiedSignedRank({differences}).p < 0.05 ? 1 : 0;
+    }
+    QVERIFY2(found >= 760 && found <= 840, qPrintable(QString::number(found)));
+  }
+
   void pairsForSignedRank_byHand_isEqual() {
     QCOMPARE(pairsForSignedRank(0.7), 66.0);
     QCOMPARE(pairsForSignedRank(0.3), 66.0);

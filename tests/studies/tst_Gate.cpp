@@ -101,7 +101,7 @@ GateMetric metricOf(const char* text) {
 
 std::string problemOf(const char* text) {
   const auto metric = app::parseGateMetric(text);
-  return metric ? std::string() : metric.diagnostics().front().code;
+  return metric ? std::string() : std::string(metric.diagnostics().front().code);
 }
 
 }  // namespace

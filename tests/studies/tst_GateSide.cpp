@@ -34,7 +34,7 @@ class GateSideTest : public QObject {
     return side ? *side : GateSide{Kind::Planner, "refused", {}, {}};
   }
   static std::string problemOf(const base::Diagnostics& problems) {
-    return problems.empty() ? std::string() : problems.front().code;
+    return problems.empty() ? std::string() : std::string(problems.front().code);
   }
 
  private Q_SLOTS:
@@ -61,8 +61,8 @@ class GateSideTest : public QObject {
     QCOMPARE(problemOf(app::gateSideOf("no-such-thing").diagnostics()),
              std::string("gate.unknown-side"));
     QCOMPARE(problemOf(app::gateSideOf("").diagnostics()), std::string("gate.unknown-side"));
-    QVERIFY(!app::gateSideOf(written("broken.yaml", "a: [1")).ok());
-    QVERIFY(!app::gateSideOf(written("notes.txt", "not a program")).ok());
+    QVERIFY(!app::gateSideOf(written("broken.yaml", "a: [1")));
+    QVERIFY(!app::gateSideOf(written("notes.txt", "not a program")));
   }
 
   void folders_matchByName() {
@@ -74,7 +74,7 @@ class GateSideTest : public QObject {
     const GateSide newer = sideOf(at("new"));
     QCOMPARE(older.scenarios.size(), std::size_t{2});
     const auto all = app::gateScenarios(older, newer, {});
-    QVERIFY(all.ok());
+    QVERIFY(all);
     QCOMPARE(all->size(), std::size_t{2});
     QCOMPARE((*all)[1].candidate, at("new/b.yaml"));
     const auto selected = app::gateScenarios(older, newer, {"b"});
