@@ -6,7 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/ManifestFiles.h"
 #include "app/studies/ContactReport.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
@@ -262,6 +264,20 @@ std::string contactReportsJson(const std::vector<ContactReport>& reports) {
     all.push_back(reportJson(report));
   }
   return base::jsonText(all) + "\n";
+}
+
+std::vector<ContactReport> readContactReports(const std::string& folder) {
+  const base::Result<std::string> text =
+      base::readTextFile(pathIn(folder, "contacts.json"), base::kMaxRecord);
+  std::vector<ContactReport> reports;
+  try {
+    for (const ReportJson& each : ReportJson::parse(text ? *text : "[]", nullptr, false)) {
+      reports.push_back(reportOfJson(each));
+    }
+  } catch (const ReportJson::exception&) {
+    reports.clear();
+  }
+  return reports;
 }
 
 std::string contactsCsv(const std::vector<ContactReport>& reports) {

@@ -61,6 +61,8 @@ std::optional<ContactReport> contactReportOf(const std::string& text);
 
 /// The reports as a JSON array, for users.
 std::string contactReportsJson(const std::vector<ContactReport>& reports);
+/// Those of the file contacts.json in a folder; none if it is missing or damaged.
+std::vector<ContactReport> readContactReports(const std::string& folder);
 /// A row per contact: FORMAT.md.
 std::string contactsCsv(const std::vector<ContactReport>& reports);
 /// A row per person and run: the columns of counterfactual.csv after run, scenario, seed, planners

@@ -1,5 +1,6 @@
 #include "app/window/MainWindow.h"
 
+#include "app/window/ContactNotes.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/PlotExport.h"
 #include "app/window/RunCommands.h"
@@ -271,7 +272,8 @@ void MainWindow::connectRun() {
           [this](const base::Diagnostics& problems) {
             statusBar()->showMessage(QString::fromStdString(problems.front().message), kMessageMs);
           });
-  connect(files_, &FileCommands::runOpened, this, [this](const QString& /*folder*/) {
+  connect(files_, &FileCommands::runOpened, this, [this](const QString& folder) {
+    showContactNotes(folder, workspace_);
     const std::optional<base::Diagnostic> cut = files_->truncationOfRun();
     cut ? notices_->warn(QString::fromLatin1(kCutNotice), QString::fromStdString(cut->message))
         : notices_->drop(QString::fromLatin1(kCutNotice));

@@ -168,6 +168,17 @@ RunEvents::RunEvents(const ScenarioDocument& document, SimulationRunner& runner)
   connect(&runner_, &SimulationRunner::stateChanged, this, &RunEvents::follow);
 }
 
+void RunEvents::setNotes(std::vector<RunNote> notes) {
+  notes_ = std::move(notes);
+  notedRecording_ = runner_.recording();
+  Q_EMIT notesChanged();
+}
+
+const std::vector<RunNote>& RunEvents::notes() const {
+  static const std::vector<RunNote> kNone;
+  return notedRecording_ != nullptr && notedRecording_ == runner_.recording() ? notes_ : kNone;
+}
+
 void RunEvents::follow() {
   if (runner_.recording() != recording_) {
     recording_ = runner_.recording();

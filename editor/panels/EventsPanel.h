@@ -19,15 +19,25 @@ struct RunEvent {
   QString text;  // "Ana reached Goal 3"
 };
 
+/// A remark on a time of a recorded run, from an analysis of it.
+struct RunNote {
+  double time = 0.0;  // [s]
+  QString text;
+};
+
 /// The events of the run so far; common source for the list, the timeline and the bubbles.
 class RunEvents : public QObject {
   Q_OBJECT
  public:
   RunEvents(const ScenarioDocument& document, SimulationRunner& runner);
   const std::vector<RunEvent>& events() const { return events_; }
+  /// Sets the notes of the displayed recording; another one has none.
+  void setNotes(std::vector<RunNote> notes);
+  const std::vector<RunNote>& notes() const;
 
  Q_SIGNALS:
   void cleared();
+  void notesChanged();
   void added(int first, int last);
 
  private:
@@ -40,6 +50,8 @@ class RunEvents : public QObject {
   const ScenarioDocument& document_;
   SimulationRunner& runner_;
   std::vector<RunEvent> events_;
+  std::vector<RunNote> notes_;
+  RecordingPtr notedRecording_;  // that the notes belong to
   RecordingPtr recording_;
   std::size_t read_ = 0;  // Number of events of the recording that have been read.
 };

@@ -158,6 +158,7 @@ TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
   connect(&runner_, &SimulationRunner::stateChanged, this, repaint);
   connect(&runner_, &SimulationRunner::loopChanged, this, repaint);
   connect(&events_, &RunEvents::cleared, this, repaint);
+  connect(&events_, &RunEvents::notesChanged, this, repaint);
   connect(&document_, &ScenarioDocument::stepFinished, this, repaint);
 }
 
@@ -204,7 +205,22 @@ void TimelineBar::paintEvent(QPaintEvent*) {
   loop_.paint(painter, theme_);
   paintGroove(painter);
   paintCompared(painter);
+  paintNotes(painter);
   paintMarks(painter);
+}
+
+/// Draws a line across the groove with a head above it for each note.
+void TimelineBar::paintNotes(QPainter& painter) const {
+  constexpr double kHalfLength = 6.0, kHead = 3.0;  // [px]
+  painter.setPen(QPen(theme_.color(Role::Accent), 2.0));
+  painter.setBrush(theme_.color(Role::Accent));
+  for (const RunNote& note : events_.notes()) {
+    const double x = xOf(note.time);
+    painter.drawLine(QPointF(x, kGrooveY - kHalfLength), QPointF(x, kGrooveY + kHalfLength));
+    painter.drawPolygon(QPolygonF({QPointF(x - kHead, kGrooveY - kHalfLength),
+                                   QPointF(x + kHead, kGrooveY - kHalfLength),
+                                   QPointF(x, kGrooveY - kHalfLength + kHead)}));
+  }
 }
 
 /// Draws a line below the groove for each of the first two runs, as long as the run, with ticks at
@@ -412,6 +428,11 @@ bool TimelineBar::event(QEvent* event) {
   for (const RunEvent& runEvents : events_.events()) {
     if (std::fabs(xOf(runEvents.time) - help->x()) < 6.0 && near.size() < 6) {
       near.push_back(clockText(runEvents.time) + QStringLiteral("  ") + runEvents.text);
+    }
+  }
+  for (const RunNote& note : events_.notes()) {
+    if (std::fabs(xOf(note.time) - help->x()) < 6.0) {
+      near.push_back(clockText(note.time) + QStringLiteral("  ") + note.text);
     }
   }
   const double time = timeAt(help->x());

@@ -30,8 +30,8 @@ class PlaybackActions : public QObject {
 /// "0:12.4"
 QString clockText(double seconds);
 
-/// The timeline of the run: clock, slider, ticks and event marks. Dragging seeks; loop markers can
-/// be dragged, or drawn with Shift.
+/// The timeline of the run: clock, slider, ticks, event marks and notes. Dragging seeks; loop
+/// markers can be dragged, or drawn with Shift.
 class TimelineBar : public QWidget {
   Q_OBJECT
  public:
@@ -73,6 +73,7 @@ class TimelineBar : public QWidget {
   void paintDroppedRange(QPainter& painter, double x) const;
   void paintMarks(QPainter& painter) const;
   void paintCompared(QPainter& painter) const;
+  void paintNotes(QPainter& painter) const;
 
   const ScenarioDocument& document_;
   RunEvents& events_;
