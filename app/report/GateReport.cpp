@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -262,6 +263,14 @@ std::string gateJson(const app::GateOptions& options, const app::GateResult& res
   return base::jsonText(json) + "\n";
 }
 
+std::string withAsciiMinus(std::string text) {
+  constexpr std::string_view kMinus = "−";
+  for (std::size_t at = text.find(kMinus); at != std::string::npos; at = text.find(kMinus)) {
+    text.replace(at, kMinus.size(), "-");
+  }
+  return text;
+}
+
 }  // namespace
 
 GateReport makeGateReport(const app::GateOptions& options, const app::GateResult& result,
@@ -287,7 +296,8 @@ std::vector<std::vector<std::string>> gateRows(const app::GateResult& result) {
   for (const std::vector<Table::Cell>& cells : table.rows) {
     rows.emplace_back();
     for (const Table::Cell& cell : cells) {
-      rows.back().push_back(cell.text + (cell.below.empty() ? "" : " " + cell.below));
+      rows.back().push_back(
+          withAsciiMinus(cell.text + (cell.below.empty() ? "" : " " + cell.below)));
     }
   }
   return rows;

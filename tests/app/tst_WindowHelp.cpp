@@ -208,7 +208,7 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
   }
 
   void pages_allHaveTitles() {
-    QCOMPARE(app::manualPages().size(), std::size_t{26});
+    QCOMPARE(app::manualPages().size(), std::size_t{27});
     QSet<QString> names;
     for (const app::ManualPage& page : app::manualPages()) {
       names << QString::fromLatin1(page.name);

@@ -29,6 +29,7 @@ const std::vector<ManualPage>& manualPages() {
       {"nodes", QT_TRANSLATE_NOOP("Manual", "Nodes of behaviour trees")},
       {"file-formats", QT_TRANSLATE_NOOP("Manual", "File formats")},
       {"commands", QT_TRANSLATE_NOOP("Manual", "Commands")},
+      {"gate", QT_TRANSLATE_NOOP("Manual", "Tests on a build server")},
       {"cluster", QT_TRANSLATE_NOOP("Manual", "Studies on a cluster")},
       {"troubleshooting", QT_TRANSLATE_NOOP("Manual", "Troubleshooting")},
       {"cite", QT_TRANSLATE_NOOP("Manual", "How to cite")},
