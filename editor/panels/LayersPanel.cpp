@@ -13,7 +13,7 @@ namespace {
 constexpr int kEyeSize = 24;  // [px]
 constexpr int kLayerHeight = 26;
 constexpr int kSliderWidth = 84;
-constexpr int kPercentWidth = 40;
+constexpr int kPercentWidth = 46;
 constexpr int kLeastPercent = 10;  // Hidden layers are switched off by the eye.
 constexpr int kPercentStep = 10;
 

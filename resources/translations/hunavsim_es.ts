@@ -4033,7 +4033,7 @@
     </message>
     <message>
         <source>docks</source>
-        <translation>bases de carga</translation>
+        <translation>bases</translation>
     </message>
     <message>
         <source>box</source>
@@ -4658,7 +4658,7 @@
     </message>
     <message>
         <source>runs</source>
-        <translation>se ejecuta</translation>
+        <translation>ejecuciones</translation>
     </message>
     <message>
         <source>Conditional breakpoint</source>
@@ -4902,7 +4902,7 @@
     </message>
     <message>
         <source>%1 (default)</source>
-        <translation>%1 (predeterminado)</translation>
+        <translation>%1 (predet.)</translation>
     </message>
     <message>
         <source>Futures</source>
@@ -5446,7 +5446,7 @@ Elegir qué muestra el mapa</translation>
     </message>
     <message>
         <source>All &amp;layers</source>
-        <translation>Todas las &amp;capas</translation>
+        <translation>Todas &amp;las capas</translation>
     </message>
     <message>
         <source>Trail length</source>
@@ -5702,6 +5702,13 @@ Elegir qué muestra el mapa</translation>
     <message>
         <source>on</source>
         <translation>activado</translation>
+    </message>
+</context>
+<context>
+    <name>app::ContactNotes</name>
+    <message>
+        <source>Until here %1 could avoid the contact with %2 at %3 s: %4</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7815,15 +7822,15 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Rou&amp;tes</source>
-        <translation>&amp;Rutas</translation>
+        <translation>Ru&amp;tas</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>&amp;Cuadrícula</translation>
+        <translation>C&amp;uadrícula</translation>
     </message>
     <message>
         <source>R&amp;ulers</source>
-        <translation>Re&amp;glas</translation>
+        <translation>Regl&amp;as</translation>
     </message>
     <message>
         <source>Tr&amp;ails</source>
@@ -7907,7 +7914,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Gro&amp;ups</source>
-        <translation>Gr&amp;upos</translation>
+        <translation>&amp;Grupos</translation>
     </message>
     <message>
         <source>Snap to p&amp;oints</source>
@@ -7927,7 +7934,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Snap to the gr&amp;id</source>
-        <translation>Ajustar a la cuadrí&amp;cula</translation>
+        <translation>A&amp;justar a la cuadrícula</translation>
     </message>
     <message>
         <source>Snap drawn items to a grid of 0.5 m</source>
@@ -8007,7 +8014,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>&amp;Local costmap</source>
-        <translation>Mapa de costes &amp;local</translation>
+        <translation>Mapa de costes lo&amp;cal</translation>
     </message>
     <message>
         <source>Local costmap that the controller of a robot with Nav2 uses</source>
@@ -8111,7 +8118,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Save p&amp;icture…</source>
-        <translation>Guardar imag&amp;en…</translation>
+        <translation>Guar&amp;dar imagen…</translation>
     </message>
     <message>
         <source>Save the displayed step of the run, or the start of the scenario, as PNG, SVG or PDF</source>
@@ -8135,7 +8142,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Salir</translation>
+        <translation>Sali&amp;r</translation>
     </message>
     <message>
         <source>Quit the program</source>
@@ -8159,7 +8166,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Scenario &amp;settings</source>
-        <translation>A&amp;justes del escenario</translation>
+        <translation>Aj&amp;ustes del escenario</translation>
     </message>
     <message>
         <source>Edit seed, duration and other settings of the scenario</source>
@@ -8183,7 +8190,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Publish to &amp;ROS 2</source>
-        <translation>Publicar en &amp;ROS 2</translation>
+        <translation>Pu&amp;blicar en ROS 2</translation>
     </message>
     <message>
         <source>Publish new runs on ROS 2 topics; /cmd_vel, /initialpose and /goal_pose control the first robot</source>
@@ -8199,7 +8206,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>&amp;Find a command…</source>
-        <translation>&amp;Buscar una orden…</translation>
+        <translation>Bu&amp;scar una orden…</translation>
     </message>
     <message>
         <source>Search all commands and run one</source>
@@ -8207,7 +8214,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Preference&amp;s…</source>
-        <translation>Preferencia&amp;s…</translation>
+        <translation>Pre&amp;ferencias…</translation>
     </message>
     <message>
         <source>Theme, folders, copies of unsaved work and keyboard shortcuts</source>
@@ -8399,7 +8406,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Full scr&amp;een</source>
-        <translation>Pantalla comple&amp;ta</translation>
+        <translation>Pantalla co&amp;mpleta</translation>
     </message>
     <message>
         <source>Show only the map</source>
@@ -8407,7 +8414,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Reset the la&amp;yout</source>
-        <translation>Restablecer los &amp;paneles</translation>
+        <translation>Restablecer los pan&amp;eles</translation>
     </message>
     <message>
         <source>Restore the default panel layout</source>
@@ -8415,7 +8422,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Light or dar&amp;k</source>
-        <translation>Claro u os&amp;curo</translation>
+        <translation>Claro u &amp;oscuro</translation>
     </message>
     <message>
         <source>Switch between the light and the dark theme</source>
@@ -8423,7 +8430,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
     <message>
         <source>Follow &amp;system theme</source>
-        <translation>Seguir el tema del &amp;sistema</translation>
+        <translation>Segu&amp;ir el tema del sistema</translation>
     </message>
     <message>
         <source>Use the light or dark theme of the desktop</source>
@@ -10803,7 +10810,7 @@ Segundos simulados por segundo real</translation>
     </message>
     <message>
         <source>As robot type (default)</source>
-        <translation>Como el tipo de robot (por defecto)</translation>
+        <translation>Como el tipo (predet.)</translation>
     </message>
     <message>
         <source>People perception</source>
@@ -10819,7 +10826,7 @@ Segundos simulados por segundo real</translation>
     </message>
     <message>
         <source>(default)</source>
-        <translation>(predeterminado)</translation>
+        <translation>(predet.)</translation>
     </message>
     <message>
         <source>Ground truth</source>
@@ -10887,7 +10894,7 @@ Segundos simulados por segundo real</translation>
     </message>
     <message>
         <source>As in the file (default)</source>
-        <translation>Como en el archivo (predeterminado)</translation>
+        <translation>Como el archivo (predet.)</translation>
     </message>
     <message>
         <source>Nav2 parameters</source>
@@ -11536,7 +11543,7 @@ Pulse P y haga clic para colocar una persona.</translation>
     </message>
     <message>
         <source>No (default)</source>
-        <translation>No (predeterminado)</translation>
+        <translation>No (predet.)</translation>
     </message>
     <message>
         <source>With people</source>
@@ -11560,7 +11567,7 @@ Pulse P y haga clic para colocar una persona.</translation>
     </message>
     <message>
         <source>sfm (default)</source>
-        <translation>sfm (predeterminado)</translation>
+        <translation>sfm (predet.)</translation>
     </message>
     <message>
         <source>Around walls</source>
@@ -11572,7 +11579,7 @@ Pulse P y haga clic para colocar una persona.</translation>
     </message>
     <message>
         <source>Nearest wall points</source>
-        <translation>Puntos de pared más cercanos</translation>
+        <translation>Pared más cercana</translation>
     </message>
     <message>
         <source>Rays, like a lidar</source>
@@ -11596,7 +11603,7 @@ Pulse P y haga clic para colocar una persona.</translation>
     </message>
     <message>
         <source>None (default)</source>
-        <translation>Ninguna (predeterminada)</translation>
+        <translation>Ninguna (predet.)</translation>
     </message>
     <message>
         <source>Light</source>
@@ -11696,7 +11703,7 @@ Pulse P y haga clic para colocar una persona.</translation>
     </message>
     <message>
         <source>humble (default)</source>
-        <translation>humble (predeterminado)</translation>
+        <translation>humble (predet.)</translation>
     </message>
     <message>
         <source>Publish people</source>

@@ -4658,7 +4658,7 @@
     </message>
     <message>
         <source>runs</source>
-        <translation>运行时</translation>
+        <translation>次运行</translation>
     </message>
     <message>
         <source>Conditional breakpoint</source>
@@ -4914,7 +4914,7 @@
     </message>
     <message>
         <source>Runs</source>
-        <translation>运行</translation>
+        <translation>运行记录</translation>
     </message>
     <message>
         <source>off</source>
@@ -5702,6 +5702,13 @@ Choose what the map shows</source>
     <message>
         <source>on</source>
         <translation>开</translation>
+    </message>
+</context>
+<context>
+    <name>app::ContactNotes</name>
+    <message>
+        <source>Until here %1 could avoid the contact with %2 at %3 s: %4</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7669,7 +7676,7 @@ Press the keys for the selected command</source>
     </message>
     <message>
         <source>Runs</source>
-        <translation>运行</translation>
+        <translation>运行记录</translation>
     </message>
     <message>
         <source>Choose scenarios and planners on the left, then press Start.
@@ -11208,7 +11215,7 @@ Click for options, press Delete to remove it</source>
     </message>
     <message>
         <source>Runs</source>
-        <translation>运行</translation>
+        <translation>运行记录</translation>
     </message>
     <message>
         <source>Run</source>
