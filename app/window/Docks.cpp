@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "app/window/settings/Language.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/runs/Playback.h"
@@ -212,9 +213,12 @@ void Docks::addToggle(QDockWidget& dock) {
     dock.setVisible(on);
     if (on) {
       dock.raise();
-    } else if (const QPointer<QDockWidget> before = behind_[&dock];
-               before != nullptr && !before->isHidden()) {
-      before->raise();
+    } else if (const QPointer<QDockWidget> before = behind_[&dock]; before != nullptr) {
+      editor::later(*before, [before] {  // after Qt has removed the tab
+        if (!before->isHidden()) {
+          before->raise();
+        }
+      });
     }
   });
   connect(&dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);

@@ -129,6 +129,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   setAcceptDrops(true);
   auto* middle = new QWidget(this);
   editor::configuredLayout(new QVBoxLayout(middle), {}, 0)->addWidget(centre_, 1);
+  connect(notices_, &NoticeBar::coverChanged, &workspace_.view(), &editor::MapView::setCoveredTop);
   notices_->coverTop(*middle);
   middle->setMinimumHeight(kLeastMiddle);
   docks_->setCentre(middle);

@@ -83,6 +83,7 @@ void NoticeBar::insertInto(QBoxLayout& layout) {
     covered_->removeEventFilter(this);
     covered_ = nullptr;
   }
+  setCover(0);
   layout.insertWidget(0, this);
   setVisible(!notices_.empty());
 }
@@ -106,6 +107,7 @@ bool NoticeBar::event(QEvent* event) {
 /// In the covered widget: as wide as it, and as high as the notices are.
 void NoticeBar::place() {
   if (covered_ == nullptr || notices_.empty()) {
+    setCover(0);
     return;
   }
   rows_->activate();
@@ -116,6 +118,13 @@ void NoticeBar::place() {
   }
   setGeometry(0, 0, width, height);
   raise();
+  setCover(height);
+}
+
+void NoticeBar::setCover(int height) {
+  if (std::exchange(cover_, height) != height) {
+    Q_EMIT coverChanged(height);
+  }
 }
 
 std::vector<Notice>::iterator NoticeBar::find(const QString& id) {

@@ -50,7 +50,8 @@ class NoticeBar : public QWidget {
   void setTheme(const editor::Theme& theme);
 
  Q_SIGNALS:
-  void focusReleased();  // a focused button is about to be deleted
+  void coverChanged(int height);  // of the covered top [px]
+  void focusReleased();           // a focused button is about to be deleted
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -60,12 +61,14 @@ class NoticeBar : public QWidget {
   std::vector<Notice>::iterator find(const QString& id);
   void rebuild();
   void place();
+  void setCover(int height);
   QWidget* rowOf(const Notice& notice);
 
   editor::Theme theme_;
   std::vector<Notice> notices_;
   QVBoxLayout* rows_;
   QPointer<QWidget> covered_;
+  int cover_ = 0;  // height [px]
 };
 
 /// Asks for confirmation in a notice before a run starts programs or libraries named in the

@@ -15,9 +15,10 @@ constexpr double kFarthest = 0.25;
 constexpr double kWheelFactor = 1.0015;  // Per eighth of a degree.
 constexpr int kFitMs = 120;
 constexpr int kFitMarginPx = 32;
-constexpr int kSettleMs = 120;       // After the last movement of the view.
-constexpr int kPictureMargin = 160;  // [px]
-constexpr double kMaxBlur = 1.6;     // Maximum scale ratio of window and picture, both ways.
+constexpr double kMostFitted = 200.0;  // Largest scale of a fit [px/m].
+constexpr int kSettleMs = 120;         // After the last movement of the view.
+constexpr int kPictureMargin = 160;    // [px]
+constexpr double kMaxBlur = 1.6;       // Maximum scale ratio of window and picture, both ways.
 
 }  // namespace
 
@@ -125,12 +126,14 @@ void MapView::moveTo(const ViewCentre& place, bool animated) {
 void MapView::fitAll(bool animated) {
   fitted_ = true;
   const QRectF content = scene_.contentRect();
-  const QSizeF room = viewport()->size() - QSize(2 * kFitMarginPx, 2 * kFitMarginPx);
+  const int covered = std::max(0, coveredTop_ - kFitMarginPx / 2);
+  const QSizeF room = viewport()->size() - QSize(2 * kFitMarginPx, 2 * kFitMarginPx + covered);
   if (content.isEmpty() || room.width() < 1.0 || room.height() < 1.0) {
     return;
   }
   const double scale = std::min(room.width() / content.width(), room.height() / content.height());
-  moveTo({content.center(), std::clamp(scale, kFarthest, 200.0)}, animated);
+  const double shown = std::clamp(scale, kFarthest, kMostFitted);
+  moveTo({content.center() - QPointF(0.0, 0.5 * covered / shown), shown}, animated);
 }
 
 /// A new map is fitted into the view; painting on the map keeps the view.

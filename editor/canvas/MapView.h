@@ -43,6 +43,9 @@ class MapView : public QGraphicsView {
   explicit MapView(MapScene& scene, QWidget* parent = nullptr);
 
   void fitAll(bool animated = true);
+  /// The height at the top that other widgets cover [px]: the next fit leaves it out, the view does
+  /// not move now.
+  void setCoveredTop(int height) { coveredTop_ = height; }
   void centerOnEntity(EntityId id);
   void zoomBy(double factor, const QPointF& viewportPoint);
   void zoomBy(double factor) { zoomBy(factor, viewport()->rect().center()); }
@@ -130,6 +133,7 @@ class MapView : public QGraphicsView {
   bool spaceUsed_ = false;  // Space was used for a pan since it was pressed.
   bool leftButtonPans_ = false;
   bool isAnimated_ = true;
+  int coveredTop_ = 0;
   bool fitted_ = true;  // The zoom follows the window size until the user zooms or pans.
 };
 

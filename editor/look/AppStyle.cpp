@@ -309,6 +309,12 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
       }
       break;
     }
+    case CE_ProgressBarGroove:
+    case CE_ProgressBarContents:
+      if (const auto* bar = qstyleoption_cast<const QStyleOptionProgressBar*>(option)) {
+        drawProgress(*painter, *bar, element == CE_ProgressBarContents);
+      }
+      break;
     case CE_Splitter:
       painter->fillRect(option->rect, theme_.color(Role::Line));
       break;

@@ -53,6 +53,7 @@ class AppStyle : public QProxyStyle {
   void drawSlider(QPainter& painter, const QStyleOptionSlider& slider, const QWidget* widget) const;
   void drawToolButton(QPainter& painter, const QStyleOptionToolButton& button,
                       const QWidget* widget) const;
+  void drawProgress(QPainter& painter, const QStyleOptionProgressBar& bar, bool isFilled) const;
   void drawScrollBar(QPainter& painter, const QStyleOptionSlider& bar, const QWidget* widget) const;
 
   Theme theme_;

@@ -231,6 +231,24 @@ void AppStyle::drawToolButton(QPainter& painter, const QStyleOptionToolButton& b
   drawControl(CE_ToolButtonLabel, &label, &painter, widget);
 }
 
+/// A flat bar: its ground, or the filled part, which is a third of it if the end is unknown.
+void AppStyle::drawProgress(QPainter& painter, const QStyleOptionProgressBar& bar,
+                            bool isFilled) const {
+  constexpr double kUnknown = 1.0 / 3.0;
+  const int span = bar.maximum - bar.minimum;
+  const double share = !isFilled ? 1.0
+                       : span <= 0
+                           ? kUnknown
+                           : std::clamp(double(bar.progress - bar.minimum) / span, 0.0, 1.0);
+  QRectF place(bar.rect);
+  place.setWidth(share * place.width());
+  const double radius = 0.5 * std::min(place.height(), place.width());
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(isFilled ? Role::Accent : Role::Line));
+  painter.drawRoundedRect(place, radius, radius);
+}
+
 bool isInPlaceEditor(const QWidget* widget) {
   const QWidget* const parent = widget == nullptr ? nullptr : widget->parentWidget();
   const auto* const view =

@@ -130,6 +130,16 @@ class WindowStartTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->isOnStartPage());
   }
 
+  /// A scenario with the word in its title comes before those that only mention it.
+  void search_word_titlesComeFirst() {
+    waitForPictures();
+    QTest::keyClicks(&gallery().search(), QStringLiteral("cross"));
+    QVERIFY(gallery().shownCards().size() > 1);  // the café mentions it and comes first otherwise
+    QCOMPARE(shown().front(), QStringLiteral("Crossing"));
+    gallery().search().clear();
+    QCOMPARE(shown().front(), QStringLiteral("Corner café"));
+  }
+
   /// Its width does not depend on how many scenarios are found.
   void search_nothingFound_movesNothing() {
     waitForPictures();

@@ -95,6 +95,14 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     window_->notices().drop(utf8("b"));
     QTest::qWait(200);
     QCOMPARE(place(), before);
+    window_->notices().warn(utf8("c"), utf8("Something happened again."));
+    QCoreApplication::processEvents();
+    window_->workspace().view().fitAll(false);  // now the map is fitted below the notice
+    const int top = view.mapFromScene(window_->workspace().scene().contentRect().topLeft()).y();
+    QVERIFY2(top >= bar.height(), qPrintable(QStringLiteral("%1 %2").arg(top).arg(bar.height())));
+    window_->notices().drop(utf8("c"));
+    window_->workspace().view().fitAll(false);
+    QCOMPARE(place(), before);
   }
 
   /// Beside the large tree they have their own row: the buttons of the tree stay in reach.

@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPixmapCache>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTabBar>
@@ -241,6 +242,23 @@ class ThemeTest : public QObject {
     button.setToolTip(QStringLiteral("Short"));
     hover(button, button.rect().center());
     QCOMPARE(QToolTip::text(), QStringLiteral("Short"));
+  }
+
+  /// The filled part of a progress bar stands out from the rest of it in both themes.
+  void style_progress_isVisible() {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+      AppStyle style(theme);
+      QProgressBar bar;
+      bar.setStyle(&style);
+      bar.setTextVisible(false);
+      bar.setRange(0, 100);
+      bar.setValue(50);
+      bar.resize(100, 8);
+      const QImage picture = bar.grab().toImage();
+      QCOMPARE(picture.pixelColor(25, 4), theme.color(Role::Accent));
+      QCOMPARE(picture.pixelColor(75, 4), theme.color(Role::Line));
+      QVERIFY(contrastRatio(picture.pixelColor(25, 4), picture.pixelColor(75, 4)) >= 3.0);
+    }
   }
 
   void style_fields_haveTheHeightOfTheHouse() {

@@ -203,6 +203,10 @@ void ScenarioGallery::filter() {
   std::vector<ScenarioCard*> wanted;
   std::copy_if(cards_.begin(), cards_.end(), std::back_inserter(wanted),
                [this](const ScenarioCard* card) { return isWanted(card->info()); });
+  const QString searched = search_->text().trimmed();
+  std::stable_partition(wanted.begin(), wanted.end(), [&searched](const ScenarioCard* card) {
+    return card->info().title.contains(searched, Qt::CaseInsensitive);  // before other matches
+  });
   nothing_->setVisible(wanted.empty() && !cards_.empty());
   if (wanted == before) {
     return;
