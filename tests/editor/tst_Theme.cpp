@@ -163,6 +163,7 @@ class ThemeTest : public QObject {
     }
     applyTheme(Theme::light());
     const QLineEdit field;
+    field.ensurePolished();
     QCOMPARE(field.palette().color(QPalette::Highlight),
              Theme::light().textPalette().color(QPalette::Highlight));
   }
@@ -192,19 +193,18 @@ class ThemeTest : public QObject {
   void columns_lastNumbersOfATree_keepADistance() {
     applyTheme(Theme::light());
     QTreeWidget tree;
-    tree.setColumnCount(2);
-    auto* row = new QTreeWidgetItem(&tree, {QStringLiteral("m"), QStringLiteral("1")});
-    const auto rightOf = [&](Qt::Alignment alignment) {
+    tree.setColumnCount(3);
+    new QTreeWidgetItem(&tree, {QStringLiteral("m"), QStringLiteral("1"), QStringLiteral("1")});
+    const auto rightOf = [&tree](int column) {
       QStyleOptionViewItem cell;
-      cell.index = tree.model()->index(tree.indexOfTopLevelItem(row), 1);
+      cell.index = tree.model()->index(0, column);
       cell.rect = QRect(0, 0, 100, 24);
       cell.features = QStyleOptionViewItem::HasDisplay;
-      cell.displayAlignment = alignment;
+      cell.displayAlignment = Qt::AlignRight | Qt::AlignVCenter;
       cell.text = QStringLiteral("1");
       return tree.style()->subElementRect(QStyle::SE_ItemViewItemText, &cell, &tree).right();
     };
-    QCOMPARE(rightOf(Qt::AlignLeft | Qt::AlignVCenter) - rightOf(Qt::AlignRight | Qt::AlignVCenter),
-             kTableInset);
+    QCOMPARE(rightOf(1) - rightOf(2), kTableInset);
   }
 
   /// A tooltip of a widget and of a list row; a short one is left to Qt.
