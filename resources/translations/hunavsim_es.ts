@@ -5504,6 +5504,21 @@ Elegir qué muestra el mapa</translation>
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+</context>
+<context>
     <name>Skin</name>
     <message>
         <source>Elegant man</source>
@@ -5708,7 +5723,7 @@ Elegir qué muestra el mapa</translation>
     <name>app::ContactNotes</name>
     <message>
         <source>Until here %1 could avoid the contact with %2 at %3 s: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta aquí %1 podía evitar el contacto con %2 a los %3 s: %4</translation>
     </message>
 </context>
 <context>

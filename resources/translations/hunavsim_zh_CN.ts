@@ -5504,6 +5504,21 @@ Choose what the map shows</source>
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+</context>
+<context>
     <name>Skin</name>
     <message>
         <source>Elegant man</source>
@@ -5708,7 +5723,7 @@ Choose what the map shows</source>
     <name>app::ContactNotes</name>
     <message>
         <source>Until here %1 could avoid the contact with %2 at %3 s: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>在此之前 %1 可避免在 %3 s 与 %2 接触：%4</translation>
     </message>
 </context>
 <context>

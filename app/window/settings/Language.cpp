@@ -19,6 +19,11 @@ namespace {
 constexpr QLatin1String kTranslationFolder(":/translations/");
 constexpr QLatin1String kTranslationStem("hunavsim_");
 
+/// Names of keys as in the texts of the window; Qt's own translations write some of them in full.
+[[maybe_unused]] constexpr const char* kKeyNames[] = {QT_TRANSLATE_NOOP("QShortcut", "Ctrl"),
+                                                      QT_TRANSLATE_NOOP("QShortcut", "Shift"),
+                                                      QT_TRANSLATE_NOOP("QShortcut", "Alt")};
+
 /// Translates and remembers the sources of the translated texts, for `sourceText()`.
 class ProgramTranslator : public QTranslator {
  public:
