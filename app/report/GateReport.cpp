@@ -115,8 +115,9 @@ std::string gateHtml(const app::GateOptions& options, const app::GateResult& res
                      "<figure>\n" + figure.markup() +
                      element("figcaption", "", escaped(figure.caption)) + "\n</figure>\n";
   body += "<h2 id=\"pairs\">Pairs</h2>\n";
-  body += findings.empty() ? paragraph("No pair speaks against the candidate.")
-                           : tableHtml(findingsTable(options, findings, kMostRows), "failures");
+  body += findings.empty()
+              ? paragraph("In no pair has only the candidate failed, and all metrics are passed.")
+              : tableHtml(findingsTable(options, findings, kMostRows), "failures");
   body += "<h2 id=\"methods\">Methods</h2>\n" + paragraph(gateMethodText(options, result)) + facts;
   const std::string lead = options.candidate.text + " compared with " + options.base.text + ".";
   const std::string links =
@@ -140,7 +141,7 @@ std::string gateMarkdown(const app::GateOptions& options, const app::GateResult&
     text += "> " + remark + "\n\n";
   }
   if (!findings.empty()) {
-    text += "<details><summary>Pairs that speak against the candidate</summary>\n\n```\n";
+    text += "<details><summary>Pairs in which the candidate is worse</summary>\n\n```\n";
     for (std::size_t k = 0; k < std::min(findings.size(), kMostRows); ++k) {
       const GateFinding& finding = findings[k];
       text += "# " + options.scenarios[finding.pair->scenario].name + ", seed " +

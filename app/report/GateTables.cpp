@@ -240,7 +240,7 @@ Table findingsTable(const app::GateOptions& options, const std::vector<GateFindi
                           command(finding.playBase)});
   }
   table.caption =
-      "Pairs that speak against the candidate: runs in which only the candidate has no "
+      "Pairs in which the candidate is worse: runs in which only the candidate has no "
       "success, then the largest losses by metrics that are not passed.";
   if (findings.size() > most) {
     table.caption += " The first " + std::to_string(most) + " of " +

@@ -27,7 +27,7 @@ Table gateTable(const app::GateResult& result);
 /// The mean gains with their intervals, in margins.
 Figure gateFigure(const app::GateResult& result);
 
-/// A pair that speaks against the candidate.
+/// A pair in which the candidate is worse.
 struct GateFinding {
   const app::GatePair* pair = nullptr;
   std::string what;                     // "collided with a person", "Path length [m]: 8.1 to 9.3"
