@@ -217,7 +217,9 @@ void Crowd::addGroup(std::size_t human, Situation& situation) const {
 }
 
 Walker Crowd::imageOf(Walker other, const Walker& seenFrom) const {
-  other.position += world_->model.ring.shift(other.position, seenFrom.position);
+  if (world_->model.ring.isClosed()) {
+    other.position += world_->model.ring.shift(other.position, seenFrom.position);
+  }
   return other;
 }
 
