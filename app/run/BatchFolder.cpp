@@ -9,6 +9,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/RunFolder.h"
+#include "app/run/TreeCoverage.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -368,6 +369,11 @@ base::Diagnostics BatchFolder::finish() {
   const base::Diagnostics removalProblems = removeIncompleteRuns();
   base::Diagnostics problems =
       output_->withFinalPaths(writeResults(*store_, pathIn(output_->staging(), kResults)));
+  const base::Result<std::vector<CoveredTree>> trees = treeCoverageOf(*store_);
+  base::append(problems, trees.diagnostics());
+  if (trees && !trees->empty()) {
+    base::append(problems, output_->write(kTreeCoverageFile, treeCoverageCsv(*trees)));
+  }
   const base::Result<std::string> manifest = batchManifest(*store_);
   base::append(problems, manifest.diagnostics());
   if (!base::hasErrors(problems)) {

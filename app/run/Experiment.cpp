@@ -73,6 +73,7 @@ class Reader {
     }
     const bool isPossible = readValues(root);
     readRecord(root.find("record"));
+    readCoverage(root.find("tree_coverage"));
     if (const YamlNode* const until = root.find("until")) {
       const base::Result<StoppingRule> rule = readStoppingRule(*until, experiment_);
       tell(rule.diagnostics());
@@ -85,7 +86,8 @@ class Reader {
 
   void checkKeys(const YamlNode& root) {
     std::vector<std::string> known = {
-        "hunavsim_experiment", "scenarios", "seeds", "values", "design", "record", "until"};
+        "hunavsim_experiment", "scenarios", "seeds", "values", "design", "record", "until",
+        "tree_coverage"};
     for (const RunOption& option : kRunOptions) {
       if ((option.use & RunOption::InExperiment) != 0) {
         known.push_back(option.key());
@@ -315,6 +317,13 @@ class Reader {
       return;
     }
     experiment_.record = static_cast<Experiment::Record>(found - std::begin(names));
+  }
+
+  void readCoverage(const YamlNode* node) {
+    if (node != nullptr && node->text != "true" && node->text != "false") {
+      error(*node, "experiment.bad-coverage");
+    }
+    experiment_.treeCoverage = node != nullptr && node->text == "true";
   }
 
   const std::optional<SensitivityRequest> sensitivity_;

@@ -29,6 +29,7 @@ struct Experiment {
   std::vector<ExperimentValue> values;
   Record record = Record::Metrics;
   std::optional<StoppingRule> until;  // fewer seeds may be enough
+  bool treeCoverage = false;          // whether the coverage of behaviour trees is kept
   bool allowCode = false;             // given by the user who starts the batch, never in the file
 
   /// Run `index`: scenarios outermost, then dimensions among the values in their order, seeds

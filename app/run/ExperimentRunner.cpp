@@ -10,6 +10,7 @@
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
+#include "app/run/TreeCoverage.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -99,7 +100,10 @@ base::Result<ResultRow> ExperimentRunner::runWithFiles(std::size_t index, const 
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer,
                              [](const sim2d::Frame&) { return false; });
-  const ResultRow row = rowOf(run);
+  ResultRow row = rowOf(run);
+  if (experiment_.treeCoverage) {
+    row.trees = treeRowsOf(world.treeResults());
+  }
   base::Diagnostics problems;
   if (isKept(row) || writer.hasFailed()) {
     problems = writeFiles(index, run, writer, bundle, **output);

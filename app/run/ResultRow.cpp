@@ -11,7 +11,9 @@
 namespace app {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InputHash, path, sha256)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ResultRow, ok, failedBy, reason, simulated, fields, inputs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TreeRow, owners, paths, returned)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ResultRow, ok, failedBy, reason, simulated, fields, trees,
+                                   inputs)
 
 namespace {
 

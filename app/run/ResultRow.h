@@ -33,6 +33,13 @@ const std::vector<EndColumn>& endColumns();
 /// An additional column: distance from the robot to the goal that its planner ended last [m].
 constexpr char kDistanceLeft[] = "distance_left";
 
+/// What the nodes of a behaviour tree returned in a run.
+struct TreeRow {
+  std::string owners;    // names of people and robots, separated by ", "
+  std::string paths;     // of the nodes as in trees.csv, separated by line ends
+  std::string returned;  // per node a hexadecimal digit: RUNNING 1, SUCCESS 2, FAILURE 4, SKIPPED 8
+};
+
 /// The stored result of one batch run.
 struct ResultRow {
   bool ok = false;
@@ -43,6 +50,7 @@ struct ResultRow {
   /// key, then those of other robots as `robot2.path_length`; for Nav2 robots also `endColumns` and
   /// `kDistanceLeft`.
   std::vector<std::pair<std::string, std::string>> fields;
+  std::vector<TreeRow> trees;     // if the experiment wants their coverage (TreeCoverage.h)
   std::vector<InputHash> inputs;  // of the run; a file that changed meanwhile occurs twice
 };
 

@@ -11,46 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
+#include "app/run/SqlStatement.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
-
-/// A prepared SQL statement (RAII).
-struct SqlStatement {
-  /// `values`: of the placeholders.
-  template <class... Values>
-  SqlStatement(sqlite3* database, const char* sql, const Values&... values) {
-    sqlite3_prepare_v2(database, sql, -1, &prepared, nullptr);
-    bindAll(values...);
-  }
-  ~SqlStatement() { sqlite3_finalize(prepared); }
-  SqlStatement(const SqlStatement&) = delete;
-  SqlStatement& operator=(const SqlStatement&) = delete;
-  SqlStatement(SqlStatement&&) = delete;
-  SqlStatement& operator=(SqlStatement&&) = delete;
-
-  bool step() const { return sqlite3_step(prepared) == SQLITE_ROW; }
-  template <class... Values>
-  void bindAll(const Values&... values) const {
-    [[maybe_unused]] int place = 0;
-    (bind(++place, values), ...);
-  }
-  void bind(int place, const std::string& text) const {
-    sqlite3_bind_text(prepared, place, text.data(), static_cast<int>(text.size()),
-                      SQLITE_TRANSIENT);  // NOLINT: a macro of the library
-  }
-  void bind(int place, long long number) const { sqlite3_bind_int64(prepared, place, number); }
-  std::string text(int column) const {
-    const auto* const bytes =
-        static_cast<const char*>(static_cast<const void*>(sqlite3_column_text(prepared, column)));
-    const int size = sqlite3_column_bytes(prepared, column);
-    return bytes != nullptr ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
-  }
-  long long number(int column) const { return sqlite3_column_int64(prepared, column); }
-
-  sqlite3_stmt* prepared = nullptr;
-};
 
 namespace {
 
@@ -403,16 +368,21 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
   to.bindAll(static_cast<long long>(run.run), run.scenario, run.seed, textsJson(run.values),
              std::string(run.row.ok ? "ok" : "failed"), run.row.reason, run.row.simulated,
              fieldsText(run.row));
-  // The insertion commits itself, unless the run is also marked as ended by the machine.
+  // The insertion commits itself, unless the run is also marked as ended by the machine or has
+  // trees.
   const bool isMarked = !run.row.ok && run.row.failedBy == FailedBy::Machine;
-  const std::string mark = "BEGIN IMMEDIATE;" + std::string(kMachineTable) +
-                           "INSERT OR IGNORE INTO machine_failures VALUES(" +
-                           std::to_string(run.run) + ")";
-  bool isStored = !isMarked || this->run(mark.c_str());
+  const bool isTransaction = isMarked || !run.row.trees.empty();
+  const std::string mark =
+      std::string("BEGIN IMMEDIATE;") +
+      (isMarked ? std::string(kMachineTable) + "INSERT OR IGNORE INTO machine_failures VALUES(" +
+                      std::to_string(run.run) + ")"
+                : std::string());
+  bool isStored = !isTransaction || this->run(mark.c_str());
+  isStored = isStored && (run.row.trees.empty() || addTrees(run));
   isStored = isStored && sqlite3_step(to.prepared) == SQLITE_DONE;
   base::Diagnostics problems = isStored ? base::Diagnostics() : sqliteError("batch.cannot-store");
   sqlite3_reset(to.prepared);
-  if (isMarked && !this->run(isStored ? "COMMIT" : "ROLLBACK") && isStored) {
+  if (isTransaction && !this->run(isStored ? "COMMIT" : "ROLLBACK") && isStored) {
     problems = sqliteError("batch.cannot-store");
     isStored = false;
   }
@@ -430,6 +400,8 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
 }
 
 base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&)>& visit) const {
+  const bool hasTrees =
+      SqlStatement(database_, "SELECT 1 FROM sqlite_master WHERE name='tree_results'").step();
   const SqlStatement statement(
       database_,
       "SELECT run, scenario, seed, value_texts, status, reason, simulated, metrics "
@@ -449,6 +421,9 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
     const Json fields = Json::parse(statement.text(7), nullptr, false);
     for (const auto& [column, field] : fields.items()) {
       stored.row.fields.emplace_back(column, field.is_string() ? field.get<std::string>() : "");
+    }
+    if (hasTrees) {
+      stored.row.trees = treesOf(stored.run);
     }
     visit(stored);
   }

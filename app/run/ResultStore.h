@@ -112,6 +112,8 @@ class ResultStore {
   base::Diagnostics readRuns();
   void noteFailure(std::size_t run, const std::string& reason);
   base::Diagnostics readMachineFailures();
+  bool addTrees(const StoredRun& run) const;
+  std::vector<TreeRow> treesOf(std::size_t run) const;
   base::Diagnostics addInputs(const std::vector<InputHash>& inputs);
   bool run(const char* sql) const;
   base::Diagnostics sqliteError(const char* code) const;

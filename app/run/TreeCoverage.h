@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/run/ResultStore.h"
+#include "sim2d/base/TreeResults.h"
+
+/// Coverage of behaviour trees over a batch: in how many runs each node returned which status.
+namespace app {
+
+/// The trees of a run; equal trees of several owners are one.
+std::vector<TreeRow> treeRowsOf(const std::vector<base::TreeResults>& results);
+
+struct CoveredNode {
+  std::string path;  // as in trees.csv
+  // Numbers of runs in which the node returned this at least once:
+  std::size_t running = 0, success = 0, failure = 0, skipped = 0;
+  std::size_t executed = 0;  // anything but SKIPPED
+};
+/// A tree of a scenario, over all runs that have it.
+struct CoveredTree {
+  std::string scenario;
+  std::string owners;    // people and robots, separated by ", "
+  std::size_t runs = 0;  // with this tree
+  std::vector<CoveredNode> nodes;
+
+  std::size_t executedNodes() const;
+};
+
+constexpr const char* kTreeCoverageFile = "tree_coverage.csv";
+
+/// All trees of the store, by the run and place of their first occurrence; empty: none is stored.
+base::Result<std::vector<CoveredTree>> treeCoverageOf(const ResultStore& store);
+std::string treeCoverageCsv(const std::vector<CoveredTree>& trees);
+/// Reads the file of a batch folder. Errors: it is missing or damaged.
+base::Result<std::vector<CoveredTree>> readTreeCoverage(const std::string& path);
+
+}  // namespace app
