@@ -100,7 +100,7 @@ class AvoidanceMap {
 };
 
 std::string secondsText(double time) {
-  return base::formatDecimals(time, 2) + " s";
+  return base::formatDecimals(std::round(100.0 * time) / 100.0, 2) + " s";
 }
 
 struct ContactBodies {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studies/WorkerTasks.h"
 #include "sim2d/base/JsonText.h"
 
 namespace app {
@@ -119,37 +120,86 @@ std::optional<AvoidingAction> actionOf(const TrialJson& json) {
 
 const auto kKeepWaiting = [] { return false; };
 
+/// The result of a manoeuvre in a copy of the process, as text.
+template <class Manoeuvre, class Try>
+std::string trialText(const Manoeuvre& manoeuvre, Try tryOne) {
+  ScanResult one;
+  one.robot = tryOne(manoeuvre);
+  if (one.robot) {
+    one.robot->manoeuvre = manoeuvre.name;
+  }
+  return scanText(one);
+}
+
+/// Trials of some manoeuvres, several at a time; the first one of them that avoids the contact.
+class ParallelTrials {
+ public:
+  explicit ParallelTrials(std::size_t count) : results_(count) {}
+
+  /// `work`: the text of a trial. False: no more processes, or one ended unexpectedly.
+  bool run(const std::function<std::string(std::size_t)>& work) {
+    WorkerTasks tasks;
+    tasks.count = results_.size();
+    tasks.jobs = kAtATime;
+    tasks.work = work;
+    tasks.take = [this](std::size_t task, const std::string& text) {
+      results_[task] = scanOf(text);
+      hasFailed_ = hasFailed_ || !results_[task];
+    };
+    tasks.wantsStop = [this] { return hasFailed_ || isDecided(); };
+    return runTasks(tasks) && !hasFailed_;
+  }
+  /// Its index; the number of trials if there is none.
+  std::size_t first() const {
+    std::size_t k = 0;
+    while (k < results_.size() && results_[k] && !results_[k]->robot) {
+      ++k;
+    }
+    return k;
+  }
+  std::optional<AvoidingAction> action() const {
+    return first() < results_.size() ? results_[first()]->robot : std::nullopt;
+  }
+
+ private:
+  static constexpr int kAtATime = 4;
+  /// The first success is known when all before it have ended.
+  bool isDecided() const {
+    const std::size_t k = first();
+    return k == results_.size() || results_[k].has_value();
+  }
+
+  std::vector<std::optional<ScanResult>> results_;
+  bool hasFailed_ = false;
+};
+
 /// The first of the manoeuvres that avoids the contact, each tried in a copy of the process.
 /// `preferred`: the index to try first, and the one that was found. False: no more processes.
 template <class Manoeuvre, class Try>
 bool findAction(const std::vector<Manoeuvre>& all, std::size_t& preferred, Try tryOne,
                 ScanResult& result, std::optional<AvoidingAction>& found) {
-  std::vector<std::size_t> order = {std::min(preferred, all.size() - 1)};
+  preferred = std::min(preferred, all.size() - 1);
+  const std::optional<std::string> text =
+      inCopy([&] { return trialText(all[preferred], tryOne); }, kKeepWaiting);
+  const std::optional<ScanResult> answer = text ? scanOf(*text) : std::nullopt;
+  ++result.trials;
+  if (!answer || answer->robot) {
+    found = answer ? answer->robot : std::nullopt;
+    return answer.has_value();
+  }
+  std::vector<std::size_t> others;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (k != order.front()) {
-      order.push_back(k);
+    if (k != preferred) {
+      others.push_back(k);
     }
   }
-  for (const std::size_t k : order) {
-    ++result.trials;
-    const std::optional<std::string> text = inCopy(
-        [&] {
-          ScanResult one;
-          one.robot = tryOne(all[k]);
-          return scanText(one);
-        },
-        kKeepWaiting);
-    const std::optional<ScanResult> answer = text ? scanOf(*text) : std::nullopt;
-    if (!answer) {
-      return false;
-    }
-    if (answer->robot) {
-      found = answer->robot;
-      found->manoeuvre = all[k].name;
-      preferred = k;
-      return true;
-    }
+  ParallelTrials trials(others.size());
+  if (!trials.run([&](std::size_t k) { return trialText(all[others[k]], tryOne); })) {
+    return false;
   }
+  found = trials.action();
+  result.trials += std::min(trials.first() + 1, others.size());
+  preferred = found ? others[trials.first()] : preferred;
   return true;
 }
 

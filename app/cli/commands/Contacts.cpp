@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <thread>
 #include <utility>
@@ -44,8 +45,14 @@ bool isBatchFolder(const std::string& source) {
   return ResultStore::isResultDatabase(pathIn(source, "results.sqlite"));
 }
 
+/// Rounded to these decimals.
+std::string roundedText(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return base::formatDecimals(std::round(value * scale) / scale, decimals);
+}
+
 std::string seconds(double time) {
-  return base::formatDecimals(time, 2) + " s";
+  return roundedText(time, 2) + " s";
 }
 
 /// "3.95 s: brake" or "-".
@@ -53,7 +60,7 @@ std::string actionCell(const std::optional<AvoidingAction>& action, bool couldAv
   if (!action) {
     return "-";
   }
-  return seconds(action->time) + ": " + action->manoeuvre + (couldAvoid ? "" : " (before sight)");
+  return seconds(action->time) + ": " + action->manoeuvre + (couldAvoid ? "" : " (out of sight)");
 }
 
 /// Names of the people without whom the contact does not happen.
@@ -98,7 +105,7 @@ void printContacts(const std::vector<ContactReport>& reports, bool isBatch) {
 }
 
 std::string signedText(double value, int decimals, const char* unit) {
-  return std::isnan(value) ? "-" : base::formatDecimals(value, decimals) + " " + unit;
+  return std::isnan(value) ? "-" : roundedText(value, decimals) + " " + unit;
 }
 
 /// What the robots did to each person of a run.
