@@ -225,6 +225,29 @@ Interval stratifiedShiftInterval(const Strata& differences, double level) {
           means.at(means.all() - outside)};
 }
 
+Interval stratifiedMeanInterval(const Strata& differences, double level) {
+  const Strata strata = withoutEmpty(differences);
+  const auto total = static_cast<double>(countOf(strata));
+  double estimate = 0.0, variance = 0.0, freedom = 0.0;
+  for (const Numbers& each : strata) {
+    const auto n = static_cast<double>(each.size());
+    const double share = n / total, deviation = standardDeviation(each);
+    const double part = share * share * deviation * deviation / n;
+    estimate += share * mean(each);
+    variance += part;
+    freedom += part > 0.0 ? part * part / (n - 1.0) : 0.0;
+  }
+  if (strata.empty() || std::isnan(variance)) {
+    return {};
+  }
+  if (!(variance > 0.0)) {
+    return {estimate, estimate};
+  }
+  const double half =
+      studentQuantile(0.5 + level / 2.0, variance * variance / freedom) * std::sqrt(variance);
+  return {estimate - half, estimate + half};
+}
+
 Interval stratifiedRateInterval(const std::vector<PairedOutcomes>& strata, double level) {
   double pairs = 0.0;
   for (const PairedOutcomes& each : strata) {

@@ -34,6 +34,12 @@ double stratifiedShift(const Strata& differences);
 /// differences, otherwise normal. Undefined if there are too few differences.
 Interval stratifiedShiftInterval(const Strata& differences, double level = 0.95);
 
+/// Student's interval for the mean difference, each stratum weighted by its share of pairs: the
+/// variances of the means of the strata are added, with the degrees of freedom of Welch and
+/// Satterthwaite (Satterthwaite 1946, Biometrics 2, 110-114). One stratum: meanInterval().
+/// Undefined if a stratum has one difference, or there are none.
+Interval stratifiedMeanInterval(const Strata& differences, double level = 0.95);
+
 /// Interval for the mean difference of paired rates, each stratum weighted by its share of pairs:
 /// the intervals of the strata (pairedRateInterval) are combined by the squares of their distances
 /// from the estimates (Yan & Su 2010, Stat. Biopharm. Res. 2, 323-335). No pairs: undefined.

@@ -1,0 +1,319 @@
+#include "app/studies/Tune.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/cli/Console.h"
+#include "app/report/TuneReport.h"
+#include "app/run/DataPaths.h"
+#include "app/studies/StudyFolder.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
+
+namespace app {
+
+namespace {
+
+struct TuneWords {
+  std::string params, output, parameters;
+  std::vector<std::string> scenarios, heldOut, objectives;
+  RunSpec common;
+  TuneOptions numbers;     // counts, seeds and limits
+  double maxLoss = 5.0;    // [%]
+  double timeLimit = 0.0;  // [s]; 0 = none
+  int jobs = 0;            // 0 = number of cores
+  bool allowCode = false, resume = false, force = false;
+};
+
+/// Paths of scenarios; the names of shipped ones are known.
+std::vector<std::string> pathsOf(const std::vector<std::string>& names) {
+  std::vector<std::string> paths;
+  base::Diagnostics problems;
+  for (const std::string& name : names) {
+    const std::string path = scenarioFile(name);
+    if (const std::optional<base::Diagnostic> unknown = unknownScenario(path)) {
+      problems.push_back(*unknown);
+    }
+    paths.push_back(path);
+  }
+  requireFine(problems);
+  return paths;
+}
+
+std::vector<TuneObjective> objectivesOf(const std::vector<std::string>& texts) {
+  static const std::vector<std::string> kUsual = {"time_to_reach_goal",
+                                                  "intimate_space_intrusions"};
+  std::vector<TuneObjective> objectives;
+  base::Diagnostics problems;
+  for (const std::string& text : texts.empty() ? kUsual : texts) {
+    const base::Result<TuneObjective> objective = tuneObjective(text);
+    base::append(problems, objective.diagnostics());
+    if (objective) {
+      objectives.push_back(*objective);
+    }
+  }
+  requireFine(problems, ExitWrongCommandLine);
+  return objectives;
+}
+
+TuneOptions tuneOptionsOf(const TuneWords& words) {
+  TuneOptions options = words.numbers;
+  options.objectives = objectivesOf(words.objectives);
+  options.maxLoss = words.maxLoss / 100.0;
+  const base::Result<std::string> text = base::readTextFile(scenarioFile(words.params));
+  if (words.scenarios.empty() && text && sim2d::nav2::looksLikeNav2(*text)) {
+    requireFine({base::error("tune.no-scenarios", {}, words.params)}, ExitWrongCommandLine);
+  }
+  options.scenarios =
+      pathsOf(words.scenarios.empty() ? std::vector<std::string>{words.params} : words.scenarios);
+  options.heldOut = words.heldOut.empty() ? options.scenarios : pathsOf(words.heldOut);
+  return options;
+}
+
+TuneSubject subjectOf(const TuneWords& words, const TuneOptions& options) {
+  const base::Result<TuningList> list =
+      readTuningList(words.parameters.empty() ? shippedTuningList() : words.parameters);
+  requireFine(list.diagnostics());
+  RunSpec spec = words.common;
+  spec.allowCode = words.allowCode;
+  std::vector<std::string> keys(std::begin(kSuccessKeys), std::end(kSuccessKeys));
+  for (const TuneObjective& objective : options.objectives) {
+    keys.push_back(objective.key);
+  }
+  spec.metrics = base::join(keys, ",");  // computing the others takes longer
+  std::vector<std::string> scenarios = options.scenarios;
+  scenarios.insert(scenarios.end(), options.heldOut.begin(), options.heldOut.end());
+  base::Result<TuneSubject> subject =
+      TuneSubject::open(scenarioFile(words.params), *list, scenarios, spec);
+  requireFine(subject.diagnostics());
+  return *std::move(subject);
+}
+
+/// Shows the stage, runs, and the time left.
+class TuneStages {
+ public:
+  explicit TuneStages(bool quiet) : progress_(quiet) {}
+
+  void setStage(const std::string& stage, std::size_t planned) {
+    stage_ = stage;
+    planned_ = planned;
+  }
+  void showRuns(std::size_t finished) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    std::string text = stage_ + ": " + std::to_string(finished) + " / at most " +
+                       std::to_string(planned_) + " runs";
+    if (finished > 0 && planned_ > finished) {
+      const double rate = static_cast<double>(finished) / elapsed.count();
+      text +=
+          ", at most " + durationText(static_cast<double>(planned_ - finished) / rate) + " left";
+    }
+    progress_.show(text);
+  }
+
+ private:
+  Progress progress_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::string stage_;
+  std::size_t planned_ = 0;
+};
+
+/// The command line without what does not change the results.
+std::vector<std::string> tuneCommandLine(const Invocation& given) {
+  std::vector<std::string> words = {"hunavsim"};
+  const std::vector<std::string> all = given.words();
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    if (all[k] == "-j" || all[k] == "--jobs") {
+      ++k;  // and its value
+    } else if (all[k] != "--resume" && all[k] != "--force" && all[k] != "-q" &&
+               all[k] != "--quiet" && all[k] != "--json" && !base::startsWith(all[k], "--jobs=")) {
+      words.push_back(all[k]);
+    }
+  }
+  return words;
+}
+
+/// One run per scenario, to find what would prevent the search.
+std::vector<RunRequest> firstRunsOf(const TuneOptions& options, const TuneSubject& subject) {
+  std::vector<RunRequest> requests;
+  for (const std::vector<std::string>* scenarios : {&options.scenarios, &options.heldOut}) {
+    for (const std::string& scenario : *scenarios) {
+      requests.push_back(subject.request(scenario, kSearchSeed, subject.present()));
+    }
+  }
+  return requests;
+}
+
+std::unique_ptr<RunPool> openPool(const TuneWords& words, const StudyFolder& folder,
+                                  TuneStages& stages) {
+  RunPoolOptions options;
+  options.jobs = words.jobs > 0
+                     ? words.jobs
+                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.timeLimit = words.timeLimit > 0.0 ? words.timeLimit : options.timeLimit;
+  options.allowCode = words.allowCode;
+  options.loader = loadMapImage;
+  options.journal = folder.journal();
+  options.wantsStop = wasInterrupted;
+  options.showProgress = [&stages](std::size_t finished, std::size_t /*requested*/) {
+    stages.showRuns(finished);
+  };
+  base::Result<std::unique_ptr<RunPool>> pool = RunPool::open(std::move(options));
+  requireFine(pool.diagnostics());
+  return *std::move(pool);
+}
+
+void printTune(const report::TuneReport& made, const Invocation& given) {
+  if (given.json) {
+    print(made.json);
+    return;
+  }
+  if (!given.quiet && !made.diff.empty()) {
+    print(made.diff);
+  }
+  printLine(made.headline);
+}
+
+int tuneCommand(const TuneWords& words, const Invocation& given) {
+  const TuneOptions options = tuneOptionsOf(words);
+  const TuneSubject subject = subjectOf(words, options);
+  const std::string tunedName = subject.isNav2()
+                                    ? "nav2_params.yaml"
+                                    : std::filesystem::path(subject.path()).filename().string();
+  const base::Result<std::unique_ptr<StudyFolder>> folder =
+      StudyFolder::open(words.output, {tunedName, "changes.diff", "report.html", "tune.json"},
+                        existingStudy(words.resume, words.force));
+  requireFine(folder.diagnostics());
+  TuneStages stages(given.quiet || given.json);
+  const std::unique_ptr<RunPool> pool = openPool(words, **folder, stages);
+  requireFine(pool->check(firstRunsOf(options, subject)));
+  catchInterrupts();
+  const base::Result<TuneResult> result =
+      tune(options, subject, *pool, [&stages](const std::string& stage, std::size_t planned) {
+        stages.setStage(stage, planned);
+      });
+  requireFine(result.diagnostics(), wasInterrupted() ? ExitRunFailed : ExitBadInput);
+  const report::TuneReport made = report::makeTuneReport(
+      options, subject, *result, {tunedName, tuneCommandLine(given), pool->inputs()});
+  std::vector<base::FileContent> files = {{tunedName, made.tuned},
+                                          {"changes.diff", made.diff},
+                                          {"report.html", made.html},
+                                          {"tune.json", made.json}};
+  for (const report::Table& table : made.tables) {
+    files.push_back({"tables/" + table.name + ".csv", report::tableCsv(table)});
+  }
+  for (const report::Figure& figure : made.figures) {
+    files.push_back({"figures/" + figure.name() + ".svg", figure.standalone()});
+  }
+  requireFine((*folder)->finish(files, base::jsonText(nlohmann::ordered_json{{"kind", "tune"}})));
+  printTune(made, given);
+  return ExitFine;
+}
+
+void addTuneSearchOptions(CLI::App& command, TuneWords& words) {
+  TuneOptions& numbers = words.numbers;
+  command
+      .add_option("--runs", numbers.runs,
+                  "Limit of the runs of the search, without the evaluation (default: " +
+                      std::to_string(numbers.runs) + ")")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
+  command
+      .add_option("--seeds", numbers.seeds,
+                  "Seeds per scenario and generation of the search, from 10001 on (default: " +
+                      std::to_string(numbers.seeds) + ")")
+      ->check(CLI::Range(1, 10000));
+  command
+      .add_option("--held-out-seeds", numbers.heldOutSeeds,
+                  "Seeds per scenario in the evaluation, from 1001 on (default: " +
+                      std::to_string(numbers.heldOutSeeds) + ")")
+      ->check(CLI::Range(2, 9000));
+  command
+      .add_option("--max-changes", numbers.maxChanges,
+                  "Largest number of changed parameters (default: 8)")
+      ->check(CLI::Range(1, 1000));
+  command
+      .add_option("--max-loss", words.maxLoss,
+                  "Accepted loss of the other objective [%] (default: 5)")
+      ->check(CLI::Range(0.0, 100.0));
+  command
+      .add_option("--population", numbers.population,
+                  "Candidates per generation (default: 4 + 3 ln of the number of parameters)")
+      ->check(CLI::Range(2, 10000));
+  command
+      .add_option("--search-seed", numbers.searchSeed,
+                  "Seed of the random numbers of the search (default: 1)")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}));
+}
+
+void addTuneRunOptions(CLI::App& command, TuneWords& words) {
+  for (const char* name :
+       {"duration", "stop-on-collision", "stuck-after", "model", "robot", "planner", "nav2-body",
+        "nav2-tree", "nav2-distro", "set", "metrics-profile"}) {
+    addRunOption(command, name, words.common);
+  }
+  command
+      .add_option("-j,--jobs", words.jobs,
+                  "Number of parallel processes (default: number of cores); does not change the "
+                  "results")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option("--time-limit", words.timeLimit,
+                  "Wall time after which a run counts as failed [s] (default: none)")
+      ->check(CLI::PositiveNumber);
+  addAllowCode(command, words.allowCode);
+}
+
+}  // namespace
+
+void addTune(CommandRegistry& commands) {
+  const auto [command, words] =
+      commands.add("tune", "Search better parameters of a Nav2 file or of a planner", tuneCommand);
+  command
+      .add_option("params", words.params,
+                  "Parameter file of Nav2; or a scenario, to tune the planner of its first robot")
+      ->required();
+  command.add_option("--scenarios", words.scenarios,
+                     "Scenario files, or names from list scenarios (default for a scenario: "
+                     "itself)");
+  command.add_option("--held-out", words.heldOut,
+                     "Scenarios of the evaluation (default: those of the search, with other "
+                     "seeds)");
+  command
+      .add_option("--objective", words.objectives,
+                  "KEY or KEY=WEIGHT of a metric (hunavsim list metrics); repeatable (default: "
+                  "time_to_reach_goal and intimate_space_intrusions). Success is a constraint")
+      ->allow_extra_args(false);
+  command.add_option("--parameters", words.parameters,
+                     "List of the parameters with their ranges (default: resources/tuning/"
+                     "parameters.yaml)");
+  addTuneSearchOptions(command, words);
+  addTuneRunOptions(command, words);
+  addOutputFolder(command, words.output,
+                  "Folder for the tuned file, changes.diff, report.html, tune.json and the journal")
+      .required();
+  CLI::Option* const resume = command.add_flag(
+      "--resume", words.resume, "Use the runs in the journal of an earlier search in the folder");
+  command
+      .add_flag("--force", words.force,
+                "Start again after an interruption; overwrite files that hunavsim did not create")
+      ->excludes(resume);
+  commands.addExamples(
+      command,
+      {{"hunavsim tune nav2_params.yaml --scenarios crossing_agents doorway_agents -o tuned",
+        "Tune a parameter file of Nav2 in two scenes", "your file, some minutes"},
+       {"hunavsim tune nav2_params.yaml --scenarios crossing_agents --held-out corner_cafe_agents "
+        "--objective intimate_space_intrusions --runs 1000 -o tuned",
+        "Only make the robot keep its distance; evaluate in another scene",
+        "your file, some minutes"},
+       {"hunavsim tune crossing_agents --planner pursuit --seeds 1 --runs 20 --held-out-seeds 3 -o "
+        "tuned",
+        "Tune a planner of this program, with few runs"}});
+}
+
+}  // namespace app

@@ -1,0 +1,252 @@
+#include "app/report/TuneReport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "app/report/PageParts.h"
+#include "app/report/PlayerPage.h"
+#include "app/report/Study.h"
+#include "app/run/DataPaths.h"
+#include "app/studies/UnifiedDiff.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+using app::TuneVerdict;
+using TuneJson = nlohmann::ordered_json;
+
+const char* tuneVerdictName(TuneVerdict verdict) {
+  switch (verdict) {
+    case TuneVerdict::Improved:
+      return "improved";
+    case TuneVerdict::NotConfirmed:
+      return "not confirmed";
+    case TuneVerdict::NoCandidate:
+      break;
+  }
+  return "no candidate";
+}
+
+std::string changesText(const app::TuneOptions& options, const app::TuneEvaluation& made) {
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < options.objectives.size(); ++k) {
+    parts.push_back(base::toLower(options.objectives[k].name) + " " +
+                    relativeText(made.objectives[k]));
+  }
+  parts.push_back("success " + percentText(made.success.before) + " before, " +
+                  percentText(made.success.after) + " after");
+  return base::join(parts, ", ");
+}
+
+std::string tuneHeadline(const app::TuneOptions& options, const app::TuneResult& result) {
+  switch (result.verdict) {
+    case TuneVerdict::Improved:
+      return "IMPROVED: " + changesText(options, *result.evaluation);
+    case TuneVerdict::NotConfirmed:
+      return "NO IMPROVEMENT FOUND: on new runs the best candidate is not clearly better: " +
+             changesText(options, *result.evaluation);
+    case TuneVerdict::NoCandidate:
+      break;
+  }
+  return "NO IMPROVEMENT FOUND: none of " + std::to_string(result.candidates.size() - 1) +
+         " candidates was better than the present values";
+}
+
+std::string tuneMethodText(const app::TuneOptions& options, const app::TuneResult& result) {
+  return "CMA-ES (Hansen, arXiv:1604.00772) searched " +
+         counted(result.candidates.size() - 1, "candidate") + " in " +
+         std::to_string(result.generations) + " generations with " +
+         std::to_string(result.searchRuns) +
+         " runs, starting at the present values. Each generation has new seeds. Its candidates "
+         "were "
+         "run on a quarter of " +
+         std::to_string(options.seeds * static_cast<int>(options.scenarios.size())) +
+         " runs, the best third of them on half, the best sixth on all (successive "
+         "halving). The score is the weighted mean of the objectives relative to the present "
+         "values, which were run with the same seeds; losses of more than " +
+         percentText(options.maxLoss) +
+         " and additional failures add to it. The last means of the distribution and the best "
+         "candidates were compared on further seeds, "
+         "each change was taken back once, and those without effect were dropped. An improvement "
+         "means: on runs that the search has not seen, an objective or the rate of success is "
+         "better with 95 % confidence, no objective is worse by more than " +
+         percentText(options.maxLoss) + ", and successes are not fewer with 95 % confidence.";
+}
+
+std::string tuneFactsMarkup(const TuneContext& context) {
+  std::string facts;
+  const auto fact = [&facts](const std::string& name, const std::string& value) {
+    facts += element("dt", "", escaped(name)) +
+             element("dd", "", element("code", "", escaped(value))) + "\n";
+  };
+  fact("Created by", "hunavsim " + app::programVersion() + " " + app::programCommit());
+  for (const app::InputHash& input : context.inputs) {
+    fact(input.path, input.sha256);
+  }
+  return element("dl", "", "\n" + facts) + "\n" +
+         element("pre", "", escaped(shellText(context.command))) + "\n";
+}
+
+std::string tuneNotes(const app::TuneResult& result, const std::string& headline) {
+  std::string notes =
+      element("p", " class=\"verdict\"", element("b", "", escaped(headline))) + "\n";
+  if (result.evaluation) {
+    for (const std::string& scenario : result.evaluation->withoutSeedEffect) {
+      notes += paragraph("In " + std::filesystem::path(scenario).stem().string() +
+                             " all seeds gave the same results, so its pairs are not independent: "
+                             "make the runs depend on the seed (variation).",
+                         " class=\"warning\"");
+    }
+  }
+  return notes;
+}
+
+PageParts tuneParts(const app::TuneOptions& options, const app::TuneSubject& subject,
+                    const app::TuneResult& result, const TuneReport& report,
+                    const TuneContext& context) {
+  PageParts parts;
+  if (result.evaluation) {
+    parts.section("evaluation", "Evaluation");
+    parts.add(tuneEvaluationTable(options, result));
+    parts.add(tuneScenarioTable(options, result));
+    parts.section("changes", "Changes");
+    parts.body += element("pre", "", escaped(report.diff)) + "\n";
+    parts.add(tuneEffectsTable(options, subject, result));
+  }
+  parts.section("front", "Front");
+  parts.add(tuneFrontFigure(options, result));
+  parts.add(tuneFrontTable(options, subject, result));
+  parts.section("parameters", "Parameters");
+  parts.add(tuneParametersTable(subject, result));
+  parts.section("methods", "Methods");
+  parts.body += paragraph(tuneMethodText(options, result)) + tuneFactsMarkup(context);
+  return parts;
+}
+
+TuneJson tuneNumber(double value) {
+  return std::isfinite(value) ? TuneJson(value) : TuneJson();
+}
+
+TuneJson differenceJson(const app::TuneDifference& of) {
+  return {{"before", tuneNumber(of.before)},         {"after", tuneNumber(of.after)},
+          {"difference", tuneNumber(of.difference)}, {"low", tuneNumber(of.interval.low)},
+          {"high", tuneNumber(of.interval.high)},    {"pairs", of.pairs}};
+}
+
+TuneJson evaluationJson(const app::TuneOptions& options, const app::TuneSubject& subject,
+                        const app::TuneResult& result) {
+  if (!result.evaluation) {
+    return nullptr;
+  }
+  const auto differences = [&](const app::TuneDifference& success,
+                               const std::vector<app::TuneDifference>& objectives) {
+    TuneJson json = {{"success", differenceJson(success)}};
+    for (std::size_t k = 0; k < objectives.size(); ++k) {
+      json[options.objectives[k].key] = differenceJson(objectives[k]);
+    }
+    return json;
+  };
+  const app::TuneEvaluation& made = *result.evaluation;
+  TuneJson json = {{"all", differences(made.success, made.objectives)}};
+  for (std::size_t k = 0; k < made.scenarios.size(); ++k) {
+    json["scenarios"].push_back(
+        {{"scenario", options.heldOut[k]},
+         {"metrics", differences(made.scenarios[k].first, made.scenarios[k].second)}});
+  }
+  json["without_seed_effect"] = made.withoutSeedEffect;
+  json["effects"] = TuneJson::array();
+  for (const app::TuneEffect& effect : result.effects) {
+    TuneJson of = {{"parameter", subject.parameters()[effect.parameter].label()},
+                   {"value", effect.value},
+                   {"score", tuneNumber(effect.total)},
+                   {"kept", effect.isKept}};
+    for (std::size_t k = 0; k < effect.differences.size(); ++k) {
+      of[options.objectives[k].key] = differenceJson(effect.differences[k]);
+    }
+    json["effects"].push_back(of);
+  }
+  return json;
+}
+
+TuneJson candidatesJson(const app::TuneOptions& options, const app::TuneResult& result) {
+  TuneJson all = TuneJson::array();
+  for (const app::TuneCandidate& candidate : result.candidates) {
+    TuneJson ratios = TuneJson::object();
+    for (std::size_t k = 0; k < options.objectives.size(); ++k) {
+      ratios[options.objectives[k].key] = tuneNumber(candidate.score.ratios[k]);
+    }
+    all.push_back({{"values", candidate.values},
+                   {"generation", candidate.generation},
+                   {"runs", candidate.runs},
+                   {"score", tuneNumber(candidate.score.total)},
+                   {"ratios", ratios},
+                   {"failures", tuneNumber(candidate.score.failures)},
+                   {"on_front", candidate.isOnFront}});
+  }
+  return all;
+}
+
+std::string tuneJson(const app::TuneOptions& options, const app::TuneSubject& subject,
+                     const app::TuneResult& result, const TuneContext& context) {
+  TuneJson json = {{"verdict", tuneVerdictName(result.verdict)},
+                   {"improved", result.verdict == TuneVerdict::Improved},
+                   {"file", subject.path()},
+                   {"controller", subject.controller()},
+                   {"scenarios", options.scenarios},
+                   {"held_out", options.heldOut},
+                   {"search_runs", result.searchRuns},
+                   {"evaluation_runs", result.evaluationRuns},
+                   {"generations", result.generations}};
+  for (const app::TuneObjective& objective : options.objectives) {
+    json["objectives"].push_back(
+        {{"key", objective.key}, {"unit", objective.unit}, {"weight", objective.weight}});
+  }
+  for (std::size_t k = 0; k < subject.parameters().size(); ++k) {
+    const app::TunedParameter& parameter = subject.parameters()[k];
+    json["parameters"].push_back(
+        {{"name", parameter.label()},
+         {"low", parameter.range.low},
+         {"high", parameter.range.high},
+         {"logarithmic", parameter.range.isLogarithmic},
+         {"before", parameter.present},
+         {"chosen", result.chosen ? TuneJson((*result.chosen)[k]) : TuneJson()}});
+  }
+  json["evaluation"] = evaluationJson(options, subject, result);
+  json["candidates"] = candidatesJson(options, result);
+  json["inputs"] = TuneJson::array();
+  for (const app::InputHash& input : context.inputs) {
+    json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});
+  }
+  return base::jsonText(json) + "\n";
+}
+
+}  // namespace
+
+TuneReport makeTuneReport(const app::TuneOptions& options, const app::TuneSubject& subject,
+                          const app::TuneResult& result, const TuneContext& context) {
+  TuneReport report;
+  report.headline = tuneHeadline(options, result);
+  const std::string name = std::filesystem::path(subject.path()).filename().string();
+  const std::string chosen =
+      result.chosen ? subject.textWith(*result.chosen).value_or(subject.text()) : subject.text();
+  report.diff = app::unifiedDiff(subject.text(), chosen, name, context.outputName);
+  report.tuned = result.verdict == TuneVerdict::Improved ? chosen : subject.text();
+  const PageParts parts = tuneParts(options, subject, result, report, context);
+  report.html = htmlPage(
+      "Tuning",
+      parts.head("Tuning of " + name, subject.controller(), tuneNotes(result, report.headline)) +
+          parts.body,
+      false);
+  report.json = tuneJson(options, subject, result, context);
+  report.tables = parts.report.tables;
+  report.figures = parts.report.figures;
+  return report;
+}
+
+}  // namespace report

@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/report/Comparison.h"
+#include "app/report/Plots.h"
+#include "app/report/TuneReport.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+using app::TuneCandidate;
+using app::TuneDifference;
+using TuneCell = Table::Cell;
+
+std::string tuneIntervalText(const statistics::Interval& interval, int decimals,
+                             double scale = 1.0) {
+  return interval.isDefined() ? "[" + numberText(scale * interval.low, decimals) + ", " +
+                                    numberText(scale * interval.high, decimals) + "]"
+                              : std::string();
+}
+
+std::string signedNumber(double value, int decimals) {
+  return (value > 0.0 ? "+" : "") + numberText(value, decimals);
+}
+
+TuneCell differenceCell(const TuneDifference& of) {
+  const int decimals = decimalsFor(of.difference, of.interval);
+  return {signedNumber(of.difference, decimals), tuneIntervalText(of.interval, decimals)};
+}
+
+TuneCell tuneValueCell(double value, const TuneDifference& of) {
+  return {numberText(value, decimalsFor(of.before, of.interval))};
+}
+
+TuneCell percentCell(double share) {
+  return {std::isnan(share) ? "–" : numberText(100.0 * share, 1) + " %"};
+}
+
+TuneCell ratePoints(const TuneDifference& of) {
+  return {signedNumber(100.0 * of.difference, 1) + " points",
+          tuneIntervalText(of.interval, 1, 100.0)};
+}
+
+std::string titleOf(const app::TuneObjective& objective) {
+  return objective.name + (objective.unit.empty() ? "" : " [" + objective.unit + "]");
+}
+
+std::string tuneScenarioName(const std::string& path) {
+  return std::filesystem::path(path).stem().string();
+}
+
+double relativeSize(const TuneDifference& of) {
+  return std::fabs(of.before) > 0.0 ? std::fabs(of.before) : statistics::kUndefined;
+}
+
+TuneCell relativeCell(const TuneDifference& of) {
+  const double size = relativeSize(of);
+  return {signedPercent(of.difference / size), tuneIntervalText(of.interval, 1, 100.0 / size)};
+}
+
+std::vector<TuneCell> objectiveRow(const std::string& title, const TuneDifference& of) {
+  return {{title},
+          tuneValueCell(of.before, of),
+          tuneValueCell(of.after, of),
+          differenceCell(of),
+          relativeCell(of),
+          {std::to_string(of.pairs)}};
+}
+
+}  // namespace
+
+std::string signedPercent(double share) {
+  return std::isnan(share) ? "–" : signedNumber(100.0 * share, 1) + " %";
+}
+
+std::string relativeText(const TuneDifference& difference) {
+  const TuneCell cell = relativeCell(difference);
+  return cell.text + (cell.below.empty() ? "" : " " + cell.below);
+}
+
+Table tuneEvaluationTable(const app::TuneOptions& options, const app::TuneResult& result) {
+  const app::TuneEvaluation& made = *result.evaluation;
+  Table table;
+  table.name = "evaluation";
+  table.caption = "Values before and after tuning on runs that the search has not seen: " +
+                  counted(options.heldOut.size(), "scenario") + ", " +
+                  counted(static_cast<std::size_t>(options.heldOutSeeds), "seed") +
+                  " each. Differences after − before with 95 % intervals, paired by scenario and "
+                  "seed; pairs in which a value is undefined are excluded.";
+  table.columns = {{"", "", false},    {"Before", ""},   {"After", ""},
+                   {"Difference", ""}, {"Relative", ""}, {"Pairs", ""}};
+  table.rows.push_back({{"Success"},
+                        percentCell(made.success.before),
+                        percentCell(made.success.after),
+                        ratePoints(made.success),
+                        {},
+                        {std::to_string(made.success.pairs)}});
+  for (std::size_t k = 0; k < options.objectives.size(); ++k) {
+    table.rows.push_back(objectiveRow(titleOf(options.objectives[k]), made.objectives[k]));
+  }
+  return table;
+}
+
+Table tuneScenarioTable(const app::TuneOptions& options, const app::TuneResult& result) {
+  Table table;
+  table.name = "evaluation_by_scenario";
+  table.caption = "The same per scenario: differences after − before with 95 % intervals.";
+  table.columns = {{"Scenario", "", false}, {"Success", ""}};
+  for (const app::TuneObjective& objective : options.objectives) {
+    table.columns.push_back({objective.name, objective.unit});
+  }
+  for (std::size_t k = 0; k < options.heldOut.size(); ++k) {
+    const auto& [success, objectives] = result.evaluation->scenarios[k];
+    table.rows.push_back({{tuneScenarioName(options.heldOut[k])}, ratePoints(success)});
+    for (const TuneDifference& of : objectives) {
+      table.rows.back().push_back(differenceCell(of));
+    }
+  }
+  return table;
+}
+
+Table tuneEffectsTable(const app::TuneOptions& options, const app::TuneSubject& subject,
+                       const app::TuneResult& result) {
+  Table table;
+  table.name = "effects";
+  table.caption =
+      "What each change contributes: the candidate compared with itself without this change, on " +
+      counted(result.chosenRuns, "run") +
+      " of the search. Score: loss without the change, in percent of the present score. "
+      "Differences with the change − without it, 95 % intervals. Changes that lose nothing when "
+      "they are taken back together are not in the tuned file.";
+  table.columns = {{"Parameter", "", false}, {"Before", ""}, {"After", ""}, {"Score", ""}};
+  for (const app::TuneObjective& objective : options.objectives) {
+    table.columns.push_back({objective.name, objective.unit});
+  }
+  table.columns.push_back({"In the file", "", false});
+  for (const app::TuneEffect& effect : result.effects) {
+    const app::TunedParameter& parameter = subject.parameters()[effect.parameter];
+    table.rows.push_back(
+        {{parameter.label()}, {parameter.present}, {effect.value}, {signedPercent(effect.total)}});
+    for (const TuneDifference& of : effect.differences) {
+      table.rows.back().push_back(differenceCell(of));
+    }
+    table.rows.back().push_back({effect.isKept ? "yes" : "no"});
+  }
+  return table;
+}
+
+Table tuneParametersTable(const app::TuneSubject& subject, const app::TuneResult& result) {
+  Table table;
+  table.name = "parameters";
+  table.caption = "The parameters of the search.";
+  table.columns = {{"Parameter", "", false}, {"Range", "", false}, {"Before", ""}, {"Chosen", ""}};
+  for (std::size_t k = 0; k < subject.parameters().size(); ++k) {
+    const app::TunedParameter& parameter = subject.parameters()[k];
+    const std::string chosen = result.chosen ? (*result.chosen)[k] : parameter.present;
+    TuneCell value{chosen};
+    value.bold = chosen != parameter.present;
+    table.rows.push_back({{parameter.label()},
+                          {base::formatDouble(parameter.range.low) + " to " +
+                           base::formatDouble(parameter.range.high) +
+                           (parameter.range.isLogarithmic ? ", logarithmic" : "")},
+                          {parameter.present},
+                          value});
+  }
+  return table;
+}
+
+Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& subject,
+                     const app::TuneResult& result) {
+  Table table;
+  table.name = "front";
+  table.caption =
+      "Candidates that no other one surpasses, in the runs of the search (changes relative to the "
+      "present values with the same seeds). The search has chosen among many, so these values are "
+      "too good on average.";
+  for (const app::TuneObjective& objective : options.objectives) {
+    table.columns.push_back({objective.name, "%"});
+  }
+  table.columns.push_back({"Changed values", "", false});
+  for (const TuneCandidate& candidate : result.candidates) {
+    if (!candidate.isOnFront) {
+      continue;
+    }
+    table.rows.emplace_back();
+    for (std::size_t k = 0; k < options.objectives.size(); ++k) {
+      table.rows.back().push_back(
+          {signedPercent(options.objectives[k].sign * (candidate.score.ratios[k] - 1.0))});
+    }
+    std::vector<std::string> changes;
+    for (std::size_t k = 0; k < candidate.values.size(); ++k) {
+      const app::TunedParameter& parameter = subject.parameters()[k];
+      if (candidate.values[k] != parameter.present) {
+        changes.push_back(parameter.name + " " + candidate.values[k]);
+      }
+    }
+    table.rows.back().push_back({changes.empty() ? "none (before)" : base::join(changes, ", ")});
+  }
+  return table;
+}
+
+std::optional<Figure> tuneFrontFigure(const app::TuneOptions& options,
+                                      const app::TuneResult& result) {
+  if (options.objectives.size() != 2) {
+    return std::nullopt;
+  }
+  constexpr double kWidth = 720.0, kHeight = 360.0;
+  const auto percent = [&](const TuneCandidate& candidate, std::size_t k) {
+    return 100.0 * options.objectives[k].sign * (candidate.score.ratios[k] - 1.0);
+  };
+  Extent wide, high;
+  std::vector<base::Vec2> front;
+  for (const TuneCandidate& candidate : result.candidates) {
+    if (candidate.isComplete) {
+      wide.add(percent(candidate, 0));
+      high.add(percent(candidate, 1));
+    }
+  }
+  const Scale x = paddedScale(wide.low, wide.high, 64.0, kWidth - 40.0);
+  const Scale y = paddedScale(high.low, high.high, kHeight - 52.0, 34.0);
+  Figure figure("front", kWidth, kHeight);
+  verticalAxis(figure, y, ticks(y.low, y.high, 6), 64.0, kWidth - 40.0);
+  horizontalAxis(figure, x, kHeight - 52.0);
+  figure.text(64.0, 18.0, options.objectives[1].name + ", change in the search [%]");
+  figure.text(kWidth - 40.0, kHeight - 14.0,
+              options.objectives[0].name + ", change in the search [%]", "ink",
+              Figure::Anchor::End);
+  for (const TuneCandidate& candidate : result.candidates) {
+    if (!candidate.isComplete) {
+      continue;
+    }
+    const base::Vec2 at(x.at(percent(candidate, 0)), y.at(percent(candidate, 1)));
+    figure.disc(at.x(), at.y(), 3.0, candidate.isOnFront ? "heat" : "dim",
+                candidate.isOnFront ? 1.0 : 0.5);
+    if (candidate.isOnFront) {
+      front.push_back(at);
+    }
+    if (candidate.generation < 0 || (result.chosen && candidate.values == *result.chosen)) {
+      const bool isChosen = result.chosen && candidate.values == *result.chosen;
+      figure.mark(at.x(), at.y(), isChosen ? 1 : 0, 6.0);
+      figure.text(at.x() + 9.0, at.y() - 7.0, isChosen ? "chosen" : "before");
+    }
+  }
+  std::sort(front.begin(), front.end(),
+            [](const base::Vec2& a, const base::Vec2& b) { return a.x() < b.x(); });
+  if (front.size() > 1) {
+    figure.polyline(front, "accent", 1.0, 0.7);
+  }
+  figure.caption = options.objectives[0].name + " versus " + options.objectives[1].name +
+                   " of the candidates that were run on all runs of the search, relative to the "
+                   "present values. The line connects those that no other one surpasses.";
+  return figure;
+}
+
+}  // namespace report

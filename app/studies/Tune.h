@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/studies/RunPool.h"
+#include "app/studies/TuneScore.h"
+#include "app/studies/TuneSubject.h"
+
+/// Tuning: searches values of parameters that are better than the present ones, and measures the
+/// improvement on runs that the search has not seen.
+namespace app {
+
+/// The first seeds of the search and of the evaluation.
+constexpr long long kSearchSeed = 10001, kHeldOutSeed = 1001;
+
+struct TuneOptions {
+  std::vector<std::string> scenarios;  // of the search; paths
+  std::vector<std::string> heldOut;    // of the evaluation; paths
+  std::vector<TuneObjective> objectives;
+  int seeds = 3;            // per scenario and generation of the search, from 10001 on
+  int heldOutSeeds = 20;    // per scenario, in the evaluation, from 1001 on
+  std::size_t runs = 2000;  // limit of all runs before the evaluation
+  int maxChanges = 8;       // limit of changed parameters
+  double maxLoss = 0.05;    // accepted loss of an objective, as a share
+  int population = 0;       // of the CMA-ES; 0: 4 + 3 ln n
+  std::uint64_t searchSeed = 1;
+};
+
+/// Values that the search has tried.
+struct TuneCandidate {
+  TunedValues values;
+  int generation = -1;   // -1: the values before tuning, or chosen at the end
+  std::size_t runs = 0;  // that it was scored with
+  TuneScore score;
+  bool isComplete = false;  // scored with all runs of the search
+  bool isOnFront = false;   // complete, and no other complete one is at least as good everywhere
+};
+
+/// What a changed parameter contributes: the chosen values compared with the same values without
+/// this change.
+struct TuneEffect {
+  std::size_t parameter = 0;
+  std::string value;                        // of the change
+  double total = 0.0;                       // of the score that is lost without the change
+  std::vector<TuneDifference> differences;  // per objective: with the change - without it
+  bool isKept = true;
+};
+
+/// The chosen values compared with those before on runs that the search has not seen.
+struct TuneEvaluation {
+  TuneDifference success;
+  std::vector<TuneDifference> objectives;
+  /// Per scenario: the same.
+  std::vector<std::pair<TuneDifference, std::vector<TuneDifference>>> scenarios;
+  std::vector<std::string> withoutSeedEffect;  // scenarios whose runs are equal for all seeds
+};
+
+enum class TuneVerdict {
+  NoCandidate,   // no tried values were better in the search
+  NotConfirmed,  // the evaluation does not show an improvement
+  Improved
+};
+
+struct TuneResult {
+  TuneVerdict verdict = TuneVerdict::NoCandidate;
+  std::vector<TuneCandidate> candidates;  // the values before first, then in order of the trials
+  std::optional<TunedValues> chosen;      // by the search
+  TuneScore chosenScore;
+  std::size_t chosenRuns = 0;
+  std::vector<TuneEffect> effects;
+  std::optional<TuneEvaluation> evaluation;
+  std::size_t searchRuns = 0, evaluationRuns = 0;
+  int generations = 0;
+};
+
+/// A stage of tuning: "search", and the number of runs that are planned in all.
+using TuneProgress = std::function<void(const std::string& stage, std::size_t planned)>;
+
+/// Searches with CMA-ES in the ranges of the parameters, starting at the present values. Each
+/// generation has new seeds: its candidates are run on a quarter of them, the better third on half,
+/// the better sixth on all (successive halving; Jamieson & Talwalkar 2016, AISTATS). The last means
+/// of the distribution and the best candidates are compared on further seeds; changes without
+/// effect are taken back. Errors: those of the pool.
+base::Result<TuneResult> tune(const TuneOptions& options, const TuneSubject& subject, RunPool& pool,
+                              const TuneProgress& showStage = {});
+
+/// Whether the evaluation shows an improvement: successes or an objective are better with 95 %
+/// confidence, no objective is worse by more than `maxLoss`, and successes are not fewer with 95 %
+/// confidence.
+bool isImprovement(const TuneEvaluation& evaluation, const std::vector<TuneObjective>& objectives,
+                   double maxLoss);
+
+}  // namespace app
