@@ -53,8 +53,7 @@ Table foundFailuresTable(const SearchStudy& study, const std::string& folder) {
     const app::ShrunkFailure& shrunk = failure.shrunk;
     const SearchedRun& run = study.result.runs[failure.run];
     const std::string command = playFailureCommand(folder, failure);
-    const std::string before =
-        failure.keepsAll ? "as found" : "of " + std::to_string(shrunk.peopleBefore);
+    const std::string before = "of " + std::to_string(shrunk.peopleBefore);
     const double end = base::parseDouble(shrunk.row.simulated).value_or(std::nan(""));
     table.rows.push_back({{failure.kind.text(), shrunk.row.reason},
                           {std::to_string(failure.run)},

@@ -124,8 +124,10 @@ class RunParts {
 class SubsetRuns {
  public:
   SubsetRuns(const RunParts& parts, const FailureKind& kind, std::size_t mostRuns,
-             const RunMany& run)
-      : parts_(parts), kind_(kind), mostRuns_(mostRuns), run_(run) {}
+             const RunMany& run, const ContactJudge& judge)
+      : parts_(parts), kind_(kind), mostRuns_(mostRuns), run_(run), judge_(judge) {}
+
+  /// The first true result is judged; those behind it are not.
 
   base::Result<std::vector<bool>> fails(const std::vector<ElementSet>& subsets) {
     std::vector<bool> results(subsets.size(), false);
@@ -142,8 +144,18 @@ class SubsetRuns {
     if (!rows) {
       return rows.diagnostics();
     }
-    std::transform(rows->begin(), rows->end(), results.begin(),
-                   [this](const ResultRow& row) { return failureKindOf(row) == kind_; });
+    for (std::size_t k = 0; k < rows->size(); ++k) {
+      if (failureKindOf((*rows)[k]) == kind_) {
+        const base::Result<bool> counts = countsAsFailure(kind_, requests[k], judge_);
+        if (!counts) {
+          return counts.diagnostics();
+        }
+        if (*counts) {
+          results[k] = true;
+          break;
+        }
+      }
+    }
     return results;
   }
 
@@ -155,6 +167,7 @@ class SubsetRuns {
   const FailureKind& kind_;
   const std::size_t mostRuns_;
   const RunMany& run_;
+  const ContactJudge& judge_;
   std::size_t runs_ = 0;
   bool isComplete_ = true;
 };
@@ -194,9 +207,16 @@ void describeRemoved(ShrunkFailure& failure, const std::vector<Part>& parts,
 
 }  // namespace
 
+base::Result<bool> countsAsFailure(const FailureKind& kind, const RunRequest& request,
+                                   const ContactJudge& judge) {
+  const bool isAsked =
+      judge && kind.end == FailureEnd::Contact && kind.side != FailureSide::Obstacle;
+  return isAsked ? judge(request) : base::Result<bool>(true);
+}
+
 base::Result<ShrunkFailure> shrunkFailure(const RunRequest& failing, const ResultRow& row,
                                           const FailureKind& kind, std::size_t mostRuns,
-                                          const RunMany& run) {
+                                          const RunMany& run, const ContactJudge& judge) {
   RunSpec spec = failing.spec;
   spec.scenario = failing.scenario;
   spec.seed = failing.seed;
@@ -207,7 +227,7 @@ base::Result<ShrunkFailure> shrunkFailure(const RunRequest& failing, const Resul
     return problems;
   }
   const RunParts parts(failing, reading.scenario);
-  SubsetRuns tests(parts, kind, mostRuns, run);
+  SubsetRuns tests(parts, kind, mostRuns, run, judge);
   const base::Result<ElementSet> kept = minimalFailure(
       parts.all().size(),
       [&tests](const std::vector<ElementSet>& subsets) { return tests.fails(subsets); });

@@ -13,6 +13,15 @@ namespace app {
 /// Executes runs, as RunPool::run() does.
 using RunMany = std::function<base::Result<std::vector<ResultRow>>(const std::vector<RunRequest>&)>;
 
+/// A judge of contacts: false if no admissible command of the robot could have avoided it from the
+/// first sight on, so that it is no failure of the robot.
+using ContactJudge = std::function<base::Result<bool>(const RunRequest& request)>;
+
+/// Whether a failure of this kind counts. The judge, which may be empty, decides about contacts
+/// with people.
+base::Result<bool> countsAsFailure(const FailureKind& kind, const RunRequest& request,
+                                   const ContactJudge& judge);
+
 /// The smallest run found that fails in the same way.
 struct ShrunkFailure {
   RunRequest request;
@@ -31,6 +40,6 @@ struct ShrunkFailure {
 /// is accepted only if the kind of the failure stays the same. `mostRuns`: limit for the runs.
 base::Result<ShrunkFailure> shrunkFailure(const RunRequest& failing, const ResultRow& row,
                                           const FailureKind& kind, std::size_t mostRuns,
-                                          const RunMany& run);
+                                          const RunMany& run, const ContactJudge& judge = {});
 
 }  // namespace app

@@ -120,10 +120,8 @@ class Searcher {
   }
 
   base::Diagnostics addFailure(FoundFailure failure, SearchedRun& run) {
-    const bool isAsked = failure.kind.end == FailureEnd::Contact && plan_.countsAgainstRobot &&
-                         failure.kind.side != FailureSide::Obstacle;
     const base::Result<bool> counts =
-        isAsked ? plan_.countsAgainstRobot(failure.request) : base::Result<bool>(true);
+        countsAsFailure(failure.kind, failure.request, plan_.countsAgainstRobot);
     if (!counts) {
       return counts.diagnostics();
     }

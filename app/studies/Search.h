@@ -19,10 +19,6 @@
 /// Search for the worst runs and for failures that differ in kind.
 namespace app {
 
-/// A judge of contacts: false if no admissible command of the robot could have avoided it from the
-/// first sight on, so that it is no failure of the robot.
-using ContactJudge = std::function<base::Result<bool>(const RunRequest& request)>;
-
 struct SearchPlan {
   std::string worst;       // key of a metric to make worse; empty: search for failures
   std::size_t runs = 500;  // of the search, without shrinking

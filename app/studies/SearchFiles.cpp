@@ -71,7 +71,7 @@ Json failureJson(const SearchStudy& study, const SavedFailure& saved) {
           {"removed", shrunk.removed},
           {"reset", shrunk.reset},
           {"shrink_runs", shrunk.runs},
-          {"minimal", shrunk.isMinimal && !saved.keepsAll},
+          {"minimal", shrunk.isMinimal},
           {"repeated", saved.isRepeated}};
 }
 

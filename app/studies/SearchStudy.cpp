@@ -36,7 +36,8 @@ class FailureSaver {
 
   base::Result<SavedFailure> save(const FoundFailure& found) const {
     base::Result<ShrunkFailure> shrunk =
-        shrunkFailure(found.request, found.row, found.kind, options_.plan.shrinkRuns, run_);
+        shrunkFailure(found.request, found.row, found.kind, options_.plan.shrinkRuns, run_,
+                      options_.plan.countsAgainstRobot);
     if (!shrunk) {
       return shrunk.diagnostics();
     }
@@ -44,18 +45,6 @@ class FailureSaver {
     saved.kind = found.kind;
     saved.run = found.run;
     saved.shrunk = *std::move(shrunk);
-    const base::Result<bool> counts = stillCounts(saved);
-    if (!counts) {
-      return counts.diagnostics();
-    }
-    if (!*counts) {
-      saved.keepsAll = true;
-      saved.shrunk.request = found.request;
-      saved.shrunk.row = found.row;
-      saved.shrunk.removed.clear();
-      saved.shrunk.reset.clear();
-      saved.shrunk.people = saved.shrunk.peopleBefore;
-    }
     saved.file = "failures/" + found.kind.name() + ".yaml";
     return write(std::move(saved), withCapital(found.kind.text()));
   }
@@ -64,7 +53,7 @@ class FailureSaver {
     SavedFailure saved;
     saved.kind = found.kind;
     saved.run = found.run;
-    saved.keepsAll = true;
+    saved.isShrunk = false;
     saved.shrunk.request = found.request;
     saved.shrunk.row = found.row;
     saved.file = "failures/worst.yaml";
@@ -72,14 +61,6 @@ class FailureSaver {
   }
 
  private:
-  base::Result<bool> stillCounts(const SavedFailure& saved) const {
-    const bool isAsked = saved.kind.end == FailureEnd::Contact &&
-                         saved.kind.side != FailureSide::Obstacle &&
-                         options_.plan.countsAgainstRobot;
-    return isAsked ? options_.plan.countsAgainstRobot(saved.shrunk.request)
-                   : base::Result<bool>(true);
-  }
-
   base::Result<SavedFailure> write(SavedFailure saved, const std::string& title) const {
     const std::string path = fs::absolute(fs::path(options_.folder) / saved.file).string();
     base::Result<sim2d::Scenario> scenario =
@@ -115,7 +96,7 @@ class FailureSaver {
     const std::string from = fs::path(saved.shrunk.request.scenario).stem().string();
     card.source = "hunavsim search " + study + ", run " + std::to_string(saved.run) + ": " + from +
                   ", seed " + std::to_string(saved.shrunk.request.seed) +
-                  (saved.keepsAll ? std::string(", as found") : shrinkText(saved.shrunk));
+                  (saved.isShrunk ? shrinkText(saved.shrunk) : std::string(", as found"));
     scenario.desktop.card = card;
   }
 

@@ -13,7 +13,7 @@ struct SavedFailure {
   FailureKind kind;
   std::size_t run = 0;  // of the search, in which it was found
   ShrunkFailure shrunk;
-  bool keepsAll = false;    // the shrunk contact was unavoidable, so the run is as it was found
+  bool isShrunk = true;
   std::string file, text;   // relative name and content of its scenario file
   bool isRepeated = false;  // the file gives the same end and metrics, bit for bit
 };

@@ -294,6 +294,25 @@ class SearchTest : public QObject {
     QVERIFY(shrunk->runs < 200);
   }
 
+  void shrinking_contactsStayAvoidable() {
+    RunRequest failing;
+    failing.scenario = kCrossing;
+    const auto run = [](const std::vector<RunRequest>& requests) {
+      return Rows(std::vector<ResultRow>(requests.size(), rowOf(true, 0.0)));
+    };
+    // The contact could have been avoided only while persons 2 and 9 are there.
+    const auto judge = [](const RunRequest& request) {
+      const std::string agents = valueOf(request, "agents");
+      const bool hasBoth =
+          agents.find("p02") != std::string::npos && agents.find("p09") != std::string::npos;
+      return base::Result<bool>(agents.empty() || hasBoth);
+    };
+    const app::FailureKind kind = *app::failureKindOf(rowOf(true, 0.0));
+    const auto shrunk = app::shrunkFailure(failing, rowOf(true, 0.0), kind, 400, run, judge);
+    QVERIFY(bool(shrunk));
+    QCOMPARE(valueOf(shrunk->request, "agents"), std::string("[p02, p09]"));
+  }
+
   void shrinking_limitOfRuns_isKept() {
     RunRequest failing;
     failing.scenario = kCrossing;
