@@ -327,6 +327,20 @@ class PairedTestsTest : public QObject {
     VERIFY_NEAR(alone.high, one.high, 1e-12);
     QVERIFY(!stratifiedRateInterval({}).isDefined());
   }
+
+  /// By hand: variances of the means 9/49 · 1/3 and 16/49 · 5/3, 3.64379 degrees of freedom, t =
+  /// 2.88683 (integrated numerically).
+  void meanInterval_strata_welchSatterthwaite() {
+    const Interval both = stratifiedMeanInterval({{1.0, 2.0, 3.0}, {}, {2.0, 4.0, 6.0, 8.0}});
+    VERIFY_NEAR(both.low, 1.468035972740413, 1e-6);
+    VERIFY_NEAR(both.high, 5.960535455831016, 1e-6);
+    const Numbers alone = {1.0, 5.0, 2.0, 9.0};
+    VERIFY_NEAR(stratifiedMeanInterval({alone}).low, meanInterval(alone).low, 1e-12);
+    VERIFY_NEAR(stratifiedMeanInterval({alone}).high, meanInterval(alone).high, 1e-12);
+    QCOMPARE(stratifiedMeanInterval({{2.0, 2.0}, {4.0, 4.0}}).low, 3.0);
+    QVERIFY(!stratifiedMeanInterval({{1.0}, {1.0, 2.0}}).isDefined());
+    QVERIFY(!stratifiedMeanInterval({}).isDefined());
+  }
 };
 
 QTEST_APPLESS_MAIN(PairedTestsTest)
