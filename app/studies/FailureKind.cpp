@@ -66,10 +66,11 @@ FailureSide sideOf(double bearing) {
 
 std::string FailureKind::name() const {
   constexpr const char* kEnds[] = {"contact", "standstill", "failure", "time", "error"};
-  constexpr const char* kSides[] = {"front", "left", "right", "behind", "obstacle", "nobody"};
+  constexpr const char* kSides[] = {"front",    "left",   "right",  "behind",
+                                    "obstacle", "nobody", "earlier"};
   std::string text = std::string(kEnds[static_cast<int>(end)]) + "-";
   text += kSides[static_cast<int>(side)];
-  const bool hasPerson = side != FailureSide::Obstacle && side != FailureSide::Nobody;
+  const bool hasPerson = side < FailureSide::Obstacle;
   return hasPerson ? text + (isMoving ? "-moving" : "-standing") : text;
 }
 
@@ -83,6 +84,9 @@ std::string FailureKind::text() const {
   }
   if (side == FailureSide::Nobody) {
     return what + ", no person near";
+  }
+  if (side == FailureSide::Earlier) {
+    return what + " before the end of the run";
   }
   return what + (end == FailureEnd::Contact ? " with a " : ", nearest is a ") +
          (isMoving ? "moving" : "standing") + " person " + kSides[static_cast<int>(side)];
@@ -104,6 +108,10 @@ std::optional<FailureKind> failureKindOf(const ResultRow& row) {
   kind.end = endOf(row);
   if (base::endsWith(row.reason, kWithObstacle)) {
     kind.side = FailureSide::Obstacle;
+    return kind;
+  }
+  if (kind.end == FailureEnd::Contact && !base::startsWith(row.reason, kCollision)) {
+    kind.side = FailureSide::Earlier;
     return kind;
   }
   const std::string prefix = prefixOf(row);

@@ -102,7 +102,7 @@ class FailureKindTest : public QObject {
   void contactThatDidNotEndTheRun_isAContact() {
     app::ResultRow row = rowOf("arrived", "False", "0.1", "2", "1");
     row.fields.emplace_back("person_on_robot_collision", "1");
-    QCOMPARE(app::failureKindOf(row)->name(), std::string("contact-front-moving"));
+    QCOMPARE(app::failureKindOf(row)->name(), std::string("contact-earlier"));
   }
 
   void otherRobot_collides_itsColumnsCount() {
