@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 // MS-DOS date and time, the earliest possible: 1980-01-01 00:00.
 constexpr zip_uint16_t kDosTime = 0;
 constexpr zip_uint16_t kDosDate = (1U << 5U) | 1U;
-constexpr zip_uint32_t kFileMode = static_cast<zip_uint32_t>(S_IFREG | 0644) << 16U;
+constexpr mode_t kFileMode = 0644, kProgramMode = 0755;
 constexpr zip_uint32_t kBestCompression = 9;
 
 std::string zipErrorText(int code) {
@@ -52,21 +53,28 @@ bool addMember(zip_t* archive, const ArchiveMember& member) {
     return false;
   }
   const auto index = static_cast<zip_uint64_t>(added);
+  const auto mode =
+      static_cast<zip_uint32_t>(S_IFREG | (member.isExecutable ? kProgramMode : kFileMode));
   const zip_int32_t method = member.isStored ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
   return zip_set_file_compression(archive, index, method, member.isStored ? 0 : kBestCompression) ==
              0 &&
          zip_file_set_dostime(archive, index, kDosTime, kDosDate, 0) == 0 &&
-         zip_file_set_external_attributes(archive, index, 0, ZIP_OPSYS_UNIX, kFileMode) == 0;
+         zip_file_set_external_attributes(archive, index, 0, ZIP_OPSYS_UNIX, mode << 16U) == 0;
 }
 
-/// Whether a member is a plain file: archives of Unix may contain links and devices.
-bool isPlainFile(zip_t* archive, zip_uint64_t index) {
+/// The mode of a member in an archive made on Unix, where it may be that of a link or a device;
+/// nullopt: unreadable.
+std::optional<zip_uint32_t> modeOf(zip_t* archive, zip_uint64_t index) {
   zip_uint8_t system = 0;
   zip_uint32_t attributes = 0;
   if (zip_file_get_external_attributes(archive, index, 0, &system, &attributes) != 0) {
-    return false;
+    return std::nullopt;
   }
-  const zip_uint32_t kind = (attributes >> 16U) & static_cast<zip_uint32_t>(S_IFMT);
+  return attributes >> 16U;
+}
+
+bool isPlainFile(zip_uint32_t mode) {
+  const zip_uint32_t kind = mode & static_cast<zip_uint32_t>(S_IFMT);
   return kind == 0 || kind == static_cast<zip_uint32_t>(S_IFREG);
 }
 
@@ -165,13 +173,14 @@ base::Diagnostics ArchiveReader::readEntry(std::uint64_t index) {
   const bool isReadable =
       found.encryption_method == ZIP_EM_NONE &&
       (found.comp_method == ZIP_CM_STORE || found.comp_method == ZIP_CM_DEFLATE);
-  if (!isReadable || !isPlainFile(archive_, index)) {
+  const std::optional<zip_uint32_t> mode = modeOf(archive_, index);
+  if (!isReadable || !mode || !isPlainFile(*mode)) {
     return {base::error("capsule.no-plain-file", {name}, path_)};
   }
   if (!indices_.emplace(name, index).second) {
     return {base::error("capsule.no-archive", {"'" + name + "' occurs twice"}, path_)};
   }
-  entries_.push_back({name, found.size});
+  entries_.push_back({name, found.size, (*mode & static_cast<zip_uint32_t>(S_IXUSR)) != 0});
   total_ = found.size > UINT64_MAX - total_ ? UINT64_MAX : total_ + found.size;
   return {};
 }
@@ -241,18 +250,18 @@ base::Result<std::string> ArchiveReader::text(const std::string& name, std::size
   return base::resultOf(std::move(content), std::move(problems));
 }
 
-base::Diagnostics ArchiveReader::extractOne(const std::string& name,
-                                            const std::string& target) const {
+base::Diagnostics ArchiveReader::extractOne(const Entry& entry, const std::string& target) const {
   std::error_code failure;
   fs::create_directories(fs::path(target).parent_path(), failure);
   // The folder is new and nothing makes links in it; an existing file is an error.
-  base::FileDescriptor file(
-      ::open(target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));
+  base::FileDescriptor file(::open(target.c_str(),
+                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                                   entry.isExecutable ? kProgramMode : kFileMode));
   if (!file.isOpen()) {
     return {app::writeProblem(target)};
   }
   base::Diagnostics unwritten;
-  base::Diagnostics problems = read(name, [&](std::string_view piece) {
+  base::Diagnostics problems = read(entry.name, [&](std::string_view piece) {
     while (unwritten.empty() && !piece.empty()) {
       const ssize_t done = ::write(file.number(), piece.data(), piece.size());
       if (done > 0) {
@@ -279,7 +288,7 @@ base::Diagnostics ArchiveReader::extract(const std::string& folder, const std::s
       continue;
     }
     const std::string target = app::pathIn(folder, entry.name);
-    base::Diagnostics ofMember = extractOne(entry.name, target);
+    base::Diagnostics ofMember = extractOne(entry, target);
     const bool isWhole = ofMember.empty();
     base::append(problems, ofMember);
     if (isWhole && onMember) {

@@ -18,14 +18,15 @@ namespace capsule {
 
 /// A file to be written into an archive.
 struct ArchiveMember {
-  std::string name;       // relative, parts separated by '/'
-  std::string content;    // used unless `file` is set
-  std::string file;       // path of the file with the content
-  bool isStored = false;  // not compressed
+  std::string name;           // relative, parts separated by '/'
+  std::string content;        // used unless `file` is set
+  std::string file;           // path of the file with the content
+  bool isStored = false;      // not compressed
+  bool isExecutable = false;  // a program
 };
 
 /// Writes an archive with these members in this order, or leaves the file as it was. All members
-/// have the same time (1980-01-01) and mode, so equal members give equal bytes with the same
+/// have the same time (1980-01-01), so equal members give equal bytes with the same
 /// versions of libzip and zlib.
 base::Diagnostics writeArchive(const std::string& path, const std::vector<ArchiveMember>& members);
 
@@ -44,7 +45,8 @@ class ArchiveReader {
  public:
   struct Entry {
     std::string name;
-    std::uint64_t size = 0;  // [B], uncompressed
+    std::uint64_t size = 0;     // [B], uncompressed
+    bool isExecutable = false;  // becomes an executable file
   };
 
   /// Checks all names, kinds and sizes before anything is read. Errors: not an archive, truncated
@@ -78,7 +80,7 @@ class ArchiveReader {
   base::Diagnostics readEntries(const ArchiveLimits& limits);
   base::Diagnostics readEntry(std::uint64_t index);
   base::Diagnostics checkSizes(const ArchiveLimits& limits) const;
-  base::Diagnostics extractOne(const std::string& name, const std::string& target) const;
+  base::Diagnostics extractOne(const Entry& entry, const std::string& target) const;
 
   std::string path_;
   zip* archive_;

@@ -63,6 +63,12 @@ bool hasGoodNames(const CapsuleManifest& manifest) {
 
 }  // namespace
 
+const CapsuleInput* omittedCode(const CapsuleManifest& manifest) {
+  const auto found = std::find_if(manifest.inputs.begin(), manifest.inputs.end(),
+                                  [](const CapsuleInput& each) { return each.member.empty(); });
+  return found == manifest.inputs.end() ? nullptr : &*found;
+}
+
 std::string manifestText(const CapsuleManifest& manifest) {
   CapsuleJson inputs = CapsuleJson::array(), outputs = CapsuleJson::array();
   for (const CapsuleInput& input : manifest.inputs) {

@@ -39,6 +39,9 @@ struct CapsuleManifest {
   app::FileHashes members;  // all but the manifest itself and SHA256SUMS
 };
 
+/// The first program or library that was not packed; null: none.
+const CapsuleInput* omittedCode(const CapsuleManifest& manifest);
+
 /// The file content, with the version of this program.
 std::string manifestText(const CapsuleManifest& manifest);
 /// Errors: not the manifest of a capsule, or of a newer format.

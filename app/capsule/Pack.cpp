@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 #include "app/capsule/Archive.h"
@@ -24,6 +25,10 @@ namespace fs = std::filesystem;
 /// Whether the input is left out.
 bool isOmitted(const SourceInput& input, bool withCode) {
   return input.isCode && !withCode;
+}
+
+bool isExecutable(const std::string& file) {
+  return ::access(file.c_str(), X_OK) == 0;
 }
 
 CapsuleManifest manifestOf(const StudySource& source, bool withCode) {
@@ -59,7 +64,8 @@ std::vector<ArchiveMember> contentOf(const StudySource& source, const CapsuleMan
         name.empty() || std::any_of(members.begin(), members.end(),
                                     [&name](const auto& each) { return each.name == name; });
     if (!isKnown) {  // two paths may lead to one file
-      members.push_back({name, input.content, input.content.empty() ? input.path : "", false});
+      const std::string file = input.content.empty() ? input.path : "";
+      members.push_back({name, input.content, file, false, input.isCode && isExecutable(file)});
     }
   }
   for (const std::string& name : source.files) {

@@ -36,7 +36,7 @@ struct Rerun {
 };
 
 /// Repeats these runs of a batch. Compares rows of results.csv (`table`) and, for runs whose folder
-/// was kept, its files. Errors: external code is not allowed or not packed, temporary files cannot
+/// was kept, its files. Errors: external code is not allowed, temporary files cannot
 /// be written, processes cannot be started.
 base::Result<Rerun> rerunBatch(const UnpackedCapsule& capsule, const ResultTable& table,
                                const std::vector<std::size_t>& runs, const RerunOptions& options);
@@ -44,9 +44,9 @@ base::Result<Rerun> rerunBatch(const UnpackedCapsule& capsule, const ResultTable
 /// Repeats a single run with its recorded inputs; it has been relocated. Errors as above.
 base::Result<Rerun> rerunSingle(const UnpackedCapsule& capsule, const RerunOptions& options);
 
-/// Compares the files of two run folders that do not depend on the clock. `place`: of the stored
-/// folder, with a final '/'. `withMetrics`: also the metrics.
-base::Diagnostics runFolderDifferences(const std::string& stored, const std::string& repeated,
-                                       const std::string& place, bool withMetrics);
+/// Compares files of a run that do not depend on the clock: those of the folder `place` of the
+/// capsule ("study/runs/3/") with those of the repeated run. `withMetrics`: also the metrics.
+base::Diagnostics runFolderDifferences(const UnpackedCapsule& capsule, const std::string& place,
+                                       const std::string& repeated, bool withMetrics);
 
 }  // namespace capsule

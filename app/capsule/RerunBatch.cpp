@@ -20,24 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first program or library that was not packed.
-const CapsuleInput* omittedCode(const CapsuleManifest& manifest) {
-  const auto found = std::find_if(manifest.inputs.begin(), manifest.inputs.end(),
-                                  [](const CapsuleInput& each) { return each.member.empty(); });
-  return found == manifest.inputs.end() ? nullptr : &*found;
-}
-
-/// Texts of a row may name files: those of the study instead of the unpacked ones.
-void restorePaths(const UnpackedCapsule& capsule, std::string& text) {
-  for (const CapsuleInput& input : capsule.manifest.inputs) {
-    const std::string path = pathOfInput(input, capsule.root);
-    for (std::size_t at = path.empty() ? std::string::npos : text.find(path);
-         at != std::string::npos; at = text.find(path, at + input.path.size())) {
-      text.replace(at, path.size(), input.path);
-    }
-  }
-}
-
 /// Runs of an unpacked batch.
 class BatchRepeater {
  public:
@@ -71,7 +53,7 @@ class BatchRepeater {
     };
     job.storeRow = [&](std::size_t run, const app::ResultRow& row) {
       rows_[run] = row;
-      restorePaths(capsule_, rows_[run].reason);
+      rows_[run].reason = withRecordedPaths(row.reason, capsule_.manifest, capsule_.root);
       rerun.finished.push_back(run);
       base::append(foreign_, foreignInputs(packed(row.inputs), capsule_.manifest, capsule_.root,
                                            capsule_.file));
@@ -100,10 +82,8 @@ class BatchRepeater {
   void compareFolders(Rerun& rerun) const {
     for (const std::size_t run : rerun.finished) {
       const std::string name = "runs/" + std::to_string(run) + "/";
-      base::append(rerun.differences,
-                   runFolderDifferences(app::pathIn(capsule_.root, kStudyFolder + name),
-                                        app::pathIn(folder_, name),
-                                        capsule_.file + "/" + kStudyFolder + name, true));
+      base::append(rerun.differences, runFolderDifferences(capsule_, kStudyFolder + name,
+                                                           app::pathIn(folder_, name), true));
     }
   }
 
@@ -167,10 +147,6 @@ base::Result<Rerun> rerunBatch(const UnpackedCapsule& capsule, const ResultTable
   if (!experiment) {
     rerun.differences = atMembers(experiment.diagnostics(), capsule.root, capsule.file);
     return rerun;
-  }
-  const CapsuleInput* const omitted = omittedCode(capsule.manifest);
-  if (omitted != nullptr) {
-    return base::error("capsule.code-omitted", {omitted->path}, capsule.file);
   }
   experiment->allowCode = options.allowCode;
   const std::size_t count = experiment->runCount();

@@ -121,8 +121,7 @@ base::Result<Rerun> rerunSingle(const UnpackedCapsule& capsule, const RerunOptio
     return rerun;
   }
   rerun.finished = {0};
-  differ(runFolderDifferences(app::pathIn(capsule.root, "study"), folder,
-                              capsule.file + "/" + kStudyFolder, !spec->counterfactual));
+  differ(runFolderDifferences(capsule, kStudyFolder, folder, !spec->counterfactual));
   return rerun;
 }
 

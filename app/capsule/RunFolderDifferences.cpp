@@ -4,6 +4,7 @@
 
 #include "app/capsule/Rerun.h"
 #include "app/capsule/TableDifferences.h"
+#include "app/capsule/Unpacked.h"
 #include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
 
@@ -42,26 +43,28 @@ const std::vector<std::string>& comparedManifestKeys() {
 
 }  // namespace
 
-base::Diagnostics runFolderDifferences(const std::string& stored, const std::string& repeated,
-                                       const std::string& place, bool withMetrics) {
+base::Diagnostics runFolderDifferences(const UnpackedCapsule& capsule, const std::string& place,
+                                       const std::string& repeated, bool withMetrics) {
+  const std::string stored = app::pathIn(capsule.root, place);
   std::set<std::string> names;
   addRunFileNames(stored, withMetrics, names);
   addRunFileNames(repeated, withMetrics, names);
   base::Diagnostics problems;
   for (const std::string& name : names) {
+    const std::string member = capsule.file + "/" + place + name;
     const base::Result<std::string> was =
         base::readTextFile(app::pathIn(stored, name), base::kMaxRecord);
     const base::Result<std::string> is =
         base::readTextFile(app::pathIn(repeated, name), base::kMaxRecord);
     if (!was || !is) {
-      problems.push_back(
-          base::error(was ? "capsule.not-written" : "capsule.missing", {}, place + name));
+      problems.push_back(base::error(was ? "capsule.not-written" : "capsule.missing", {}, member));
     } else if (name == app::Manifest::kName) {
-      base::append(problems, jsonDifferences(*was, *is, place + name, comparedManifestKeys()));
+      const std::string text = withRecordedPaths(*is, capsule.manifest, capsule.root);
+      base::append(problems, jsonDifferences(*was, text, member, comparedManifestKeys()));
     } else if (base::endsWith(name, ".json")) {
-      base::append(problems, jsonDifferences(*was, *is, place + name));
+      base::append(problems, jsonDifferences(*was, *is, member));
     } else {
-      base::append(problems, firstCsvDifference(*was, *is, place + name));
+      base::append(problems, firstCsvDifference(*was, *is, member));
     }
   }
   return problems;

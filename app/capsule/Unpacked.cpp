@@ -91,6 +91,18 @@ std::string pathOfInput(const CapsuleInput& input, const std::string& root) {
   return input.member.empty() ? std::string() : app::pathIn(root, input.member);
 }
 
+std::string withRecordedPaths(std::string text, const CapsuleManifest& manifest,
+                              const std::string& root) {
+  for (const CapsuleInput& input : manifest.inputs) {
+    const std::string path = pathOfInput(input, root);
+    for (std::size_t at = path.empty() ? std::string::npos : text.find(path);
+         at != std::string::npos; at = text.find(path, at + input.path.size())) {
+      text.replace(at, path.size(), input.path);
+    }
+  }
+  return text;
+}
+
 base::Diagnostics relocateRun(const CapsuleManifest& manifest, const std::string& root) {
   const std::string path = app::pathIn(root, std::string(kStudyFolder) + app::Manifest::kName);
   const base::Result<std::string> text = base::readTextFile(path);

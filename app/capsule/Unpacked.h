@@ -34,6 +34,10 @@ base::Result<CapsuleManifest> readCapsuleManifest(const ArchiveReader& archive,
 /// Where an input of an unpacked capsule lies; empty: it was not packed.
 std::string pathOfInput(const CapsuleInput& input, const std::string& root);
 
+/// A text that may name unpacked inputs, with their recorded paths instead.
+std::string withRecordedPaths(std::string text, const CapsuleManifest& manifest,
+                              const std::string& root);
+
 /// Rewrites the paths in the manifest of an unpacked single run: those of inputs become absolute
 /// paths below `root`. Runs are replayed and displayed by this manifest.
 base::Diagnostics relocateRun(const CapsuleManifest& manifest, const std::string& root);

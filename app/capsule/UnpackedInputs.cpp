@@ -22,9 +22,7 @@ using UnpackedJson = nlohmann::json;
 /// Without external code, which may have been left out.
 std::vector<app::InputHash> packedOnly(std::vector<app::InputHash> used,
                                        const CapsuleManifest& manifest) {
-  const bool hasOmitted =
-      std::any_of(manifest.inputs.begin(), manifest.inputs.end(),
-                  [](const CapsuleInput& input) { return input.member.empty(); });
+  const bool hasOmitted = omittedCode(manifest) != nullptr;
   used.erase(std::remove_if(used.begin(), used.end(),
                             [hasOmitted](const app::InputHash& input) {
                               return hasOmitted && input.sha256.empty();

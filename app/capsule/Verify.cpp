@@ -101,6 +101,9 @@ class Verifier {
     if (result_.sample.empty()) {
       return {};
     }
+    if (base::Diagnostics omitted = codeProblems(); !omitted.empty()) {
+      return omitted;
+    }
     base::Result<Rerun> rerun = rerunBatch(capsule_, *table, result_.sample, options_);
     return rerun ? takeRerun(*rerun) : rerun.diagnostics();
   }
@@ -115,9 +118,20 @@ class Verifier {
     if (options_.runs == std::size_t{0}) {
       return {};
     }
+    if (base::Diagnostics omitted = codeProblems(); !omitted.empty()) {
+      return omitted;
+    }
     result_.sample = {0};
     base::Result<Rerun> rerun = rerunSingle(capsule_, options_);
     return rerun ? takeRerun(*rerun) : rerun.diagnostics();
+  }
+
+  /// Error: runs would start code that was not packed.
+  base::Diagnostics codeProblems() const {
+    const CapsuleInput* const omitted = omittedCode(manifest_);
+    return omitted == nullptr ? base::Diagnostics()
+                              : base::Diagnostics{base::error("capsule.code-omitted",
+                                                              {omitted->path}, options_.file)};
   }
 
   base::Diagnostics takeRerun(const Rerun& rerun) {
