@@ -91,6 +91,16 @@ std::string pathOfInput(const CapsuleInput& input, const std::string& root) {
   return input.member.empty() ? std::string() : app::pathIn(root, input.member);
 }
 
+std::string workingFolderOf(const CapsuleManifest& manifest, const std::string& root) {
+  for (const CapsuleInput& input : manifest.inputs) {
+    const std::string end = "/" + fs::path(input.path).lexically_normal().string();
+    if (fs::path(input.path).is_relative() && base::endsWith(input.member, end)) {
+      return app::pathIn(root, input.member.substr(0, input.member.size() - end.size()));
+    }
+  }
+  return {};
+}
+
 std::string withRecordedPaths(std::string text, const CapsuleManifest& manifest,
                               const std::string& root) {
   for (const CapsuleInput& input : manifest.inputs) {

@@ -34,6 +34,10 @@ base::Result<CapsuleManifest> readCapsuleManifest(const ArchiveReader& archive,
 /// Where an input of an unpacked capsule lies; empty: it was not packed.
 std::string pathOfInput(const CapsuleInput& input, const std::string& root);
 
+/// The unpacked folder that corresponds to the working folder of the study: inputs with relative
+/// recorded paths lie below it. Commands of external planners are relative to it. Empty: unknown.
+std::string workingFolderOf(const CapsuleManifest& manifest, const std::string& root);
+
 /// A text that may name unpacked inputs, with their recorded paths instead.
 std::string withRecordedPaths(std::string text, const CapsuleManifest& manifest,
                               const std::string& root);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "app/capsule/Archive.h"
@@ -17,7 +19,32 @@ namespace capsule {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kMaxSums = std::size_t{256} << 20U;  // [B]
+
+/// The working folder of this process while it exists.
+class WorkingFolder {
+ public:
+  explicit WorkingFolder(const std::string& folder) {
+    std::error_code ignored;
+    former_ = fs::current_path(ignored);
+    if (!folder.empty()) {
+      fs::current_path(folder, ignored);
+    }
+  }
+  ~WorkingFolder() {
+    std::error_code ignored;
+    fs::current_path(former_, ignored);
+  }
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
+  WorkingFolder(WorkingFolder&&) = delete;
+  WorkingFolder& operator=(WorkingFolder&&) = delete;
+
+ private:
+  fs::path former_;
+};
 
 /// Verifies one capsule that has been opened.
 class Verifier {
@@ -104,6 +131,7 @@ class Verifier {
     if (base::Diagnostics omitted = codeProblems(); !omitted.empty()) {
       return omitted;
     }
+    const WorkingFolder working(programFolder());
     base::Result<Rerun> rerun = rerunBatch(capsule_, *table, result_.sample, options_);
     return rerun ? takeRerun(*rerun) : rerun.diagnostics();
   }
@@ -122,8 +150,14 @@ class Verifier {
       return omitted;
     }
     result_.sample = {0};
+    const WorkingFolder working(programFolder());
     base::Result<Rerun> rerun = rerunSingle(capsule_, options_);
     return rerun ? takeRerun(*rerun) : rerun.diagnostics();
+  }
+
+  /// Where commands of external planners begin; empty: none may start.
+  std::string programFolder() const {
+    return options_.allowCode ? workingFolderOf(manifest_, root_) : std::string();
   }
 
   /// Error: runs would start code that was not packed.

@@ -18,18 +18,15 @@ class VerifyProgramTest : public QObject {
 
   QString path(const char* name) const { return folder_.path(text(name)); }
   /// Empty: the run is made, packed, and equal when it is repeated.
-  QString failureOfRun(const QStringList& words, const QStringList& allow = {}) const {
+  QString failureOfRun(const QStringList& words) const {
     QDir(path("run")).removeRecursively();
     QFile::remove(path("run.hnv"));
-    QString failure = failureOf(QStringList{text("run")} + words + allow +
+    QString failure = failureOf(QStringList{text("run")} + words +
                                 QStringList{text("-q"), text("-o"), path("run")});
     if (failure.isEmpty()) {
-      QStringList pack{text("pack"), path("run"), text("-o"), path("run.hnv"), text("-q")};
-      failure =
-          failureOf(pack + (allow.isEmpty() ? QStringList() : QStringList{text("--with-code")}));
+      failure = failureOf("pack % -o % -q", {path("run"), path("run.hnv")});
     }
-    return failure.isEmpty() ? failureOf(QStringList{text("verify"), path("run.hnv")} + allow)
-                             : failure;
+    return failure.isEmpty() ? failureOf("verify %", {path("run.hnv")}) : failure;
   }
 
  private Q_SLOTS:
@@ -136,17 +133,24 @@ class VerifyProgramTest : public QObject {
   }
 
   void externalPlanner_startsOnlyWithPermission() {
-    outside::writeText(path("follow.py"),
-                       outside::bytesOf(text(SOURCE_DIR "/resources/planners/follow.py")));
+    const QByteArray follow = outside::bytesOf(text(SOURCE_DIR "/resources/planners/follow.py"));
+    outside::writeText(path("follow.py"), follow);
     QFile::setPermissions(path("follow.py"),
                           QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     QByteArray scenario = outside::kYardText;
     scenario.replace("    robot1:\n",
                      "    robot1:\n      planner: external\n      command: ./follow.py\n");
     outside::writeText(path("external.yaml"), scenario);
-    QCOMPARE(failureOfRun({path("external.yaml"), text("--duration"), text("1")},
-                          {text("--allow-code")}),
-             QString());
+    const QStringList commands[] = {
+        // the command is relative to the working folder
+        outside::list("run external.yaml --duration 1 --allow-code -q -o external"),
+        outside::list("pack external -o run.hnv --with-code -q --force")};
+    for (const QStringList& words : commands) {
+      const outside::Finished finished = runProgram(words, path(""));
+      QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+    }
+    QFile::remove(path("follow.py"));
+    QCOMPARE(failureOf("verify % --allow-code", {path("run.hnv")}), QString());
     QCOMPARE(unexpected(runProgram("verify %", {path("run.hnv")}), 2, "--allow-code"), QString());
     QCOMPARE(failureOf("pack % -o % -q --force", {path("run"), path("run.hnv")}), QString());
     QCOMPARE(
