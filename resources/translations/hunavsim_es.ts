@@ -2415,7 +2415,7 @@
     </message>
     <message>
         <source>Generic robot</source>
-        <translation>Robot genérico</translation>
+        <translation>Genérico</translation>
     </message>
     <message>
         <source>Navigation Performance</source>

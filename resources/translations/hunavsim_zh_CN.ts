@@ -11744,7 +11744,7 @@ Press P and click to place a person.</source>
     <name>editor::TextField</name>
     <message>
         <source>Not used: %1</source>
-        <translation>未采用：%1</translation>
+        <translation>未使用：%1</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,8 @@ endif()
 set_tests_properties(app.tst_Extremes app.tst_BrokenRuns PROPERTIES TIMEOUT ${long} COST 100)
 # It makes one study a dozen times; with HUNAV_ALL_TESTS it is killed twenty times.
 set_tests_properties(app.tst_Studies app.tst_StudyTroubles PROPERTIES TIMEOUT ${long} COST 100)
+# It walks through the window in each language.
+set_tests_properties(app.tst_Languages PROPERTIES TIMEOUT ${long} COST 100)
 # With HUNAV_ALL_TESTS it opens a window on every broken scenario.
 set_tests_properties(app.tst_OneVerdict PROPERTIES TIMEOUT 1800 COST 100)
 # With HUNAV_ALL_TESTS it writes and opens a map of 81 million cells.

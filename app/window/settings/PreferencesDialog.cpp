@@ -17,7 +17,8 @@ enum ThemeChoice { System, Light, Dark };
 QLabel* explanation(const QString& text, QWidget* parent) {
   QLabel* label = editor::secondaryLabel(text, parent);
   label->setWordWrap(true);
-  label->setFixedWidth(kExplanationWidth);  // its height depends on the width
+  label->setFixedWidth(kExplanationWidth);
+  label->setMinimumHeight(label->heightForWidth(kExplanationWidth));  // forms reserve one line
   return label;
 }
 
