@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/run/TreeCoverage.h"
 #include "bt/tree/TreeSpec.h"
 #include "editor/trees/TreeLayout.h"
 #include "sim2d/base/Result.h"
@@ -18,5 +19,10 @@ std::optional<base::Diagnostic> unknownTreePicture(const std::string& file);
 base::Result<std::string> treePictureBytes(
     const bt::TreeTable& table, const std::string& file,
     editor::TreeDirection direction = editor::TreeDirection::Down);
+/// The same with the coverage of a batch: nodes that were never executed are pale; of the others
+/// the mark shows SUCCESS if they ever returned it, otherwise FAILURE or RUNNING. Error also: the
+/// batch has no such tree.
+base::Result<std::string> treePictureBytes(const bt::TreeTable& table, const std::string& file,
+                                           const std::vector<CoveredTree>& coverage);
 
 }  // namespace app

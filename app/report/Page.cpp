@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "app/report/CoverageTable.h"
 #include "app/report/Methods.h"
 #include "app/report/PageParts.h"
 #include "app/report/PlayerPage.h"
@@ -51,7 +52,8 @@ class PageBuilder {
         {"results", &PageBuilder::writeResults},     {"figures", &PageBuilder::writeFigures},
         {"pairs", &PageBuilder::writePairs},         {"cases", &PageBuilder::writeCases},
         {"maps", &PageBuilder::writeRuns},           {"failures", &PageBuilder::writeFailures},
-        {"methods", &PageBuilder::writeMethods},     {"tables", &PageBuilder::writePage}};
+        {"trees", &PageBuilder::writeTrees},         {"methods", &PageBuilder::writeMethods},
+        {"tables", &PageBuilder::writePage}};
     for (const Step& step : kSteps) {
       reportProgress(step.what);
       (this->*step.work)();
@@ -285,6 +287,14 @@ class PageBuilder {
   bool areAllKept(const std::vector<std::size_t>& runs) const {
     return std::all_of(runs.begin(), runs.end(),
                        [this](std::size_t run) { return study_.runFolder(run).has_value(); });
+  }
+
+  void writeTrees() {
+    if (const std::optional<Table> table = coverageTable(study_.trees, false)) {
+      parts_.section("trees", "Behaviour trees");
+      parts_.body += tableHtml(*table);
+      parts_.report.tables.push_back(*coverageTable(study_.trees, true));
+    }
   }
 
   void writeMethods() {

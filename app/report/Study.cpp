@@ -358,7 +358,15 @@ base::Result<Study> readStudy(const StudyOptions& studyOptions) {
   Study manifest;
   base::Diagnostics problems = text.diagnostics();
   base::append(problems, readManifest(fs::path(studyOptions.folder) / "manifest.json", manifest));
+  const std::string coverage = (fs::path(studyOptions.folder) / app::kTreeCoverageFile).string();
+  std::error_code ignored;  // inaccessible counts as missing
+  const bool hasCoverage = fs::exists(coverage, ignored);
   base::append(problems, app::checkManifestFiles(studyOptions.folder, {"results.csv"}));
+  if (hasCoverage) {
+    base::Result<std::vector<app::CoveredTree>> trees = app::readTreeCoverage(coverage);
+    base::append(problems, trees.diagnostics());
+    manifest.trees = trees ? *std::move(trees) : std::vector<app::CoveredTree>();
+  }
   if (!text) {
     return problems;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/run/Design.h"
+#include "app/run/TreeCoverage.h"
 #include "sim2d/base/Result.h"
 
 namespace report {
@@ -103,6 +104,7 @@ struct Study {
     std::vector<Factor> factors;
   };
   std::optional<Sensitivity> sensitivity;  // from manifest.json
+  std::vector<app::CoveredTree> trees;     // coverage, if the batch has it
 
   std::size_t commonPrefixLength = 0;  // length of the common folder of all scenarios
 

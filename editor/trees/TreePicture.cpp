@@ -31,9 +31,8 @@ QSizeF TreePicture::size() const {
 }
 
 void TreePicture::paint(QPainter& painter) const {
-  const TreeView view;
   painter.fillRect(graph_.bounds(), Qt::white);
-  TreePainter(graph_, view, theme_).paint(painter, graph_.bounds());
+  TreePainter(graph_, view_, theme_).paint(painter, graph_.bounds());
 }
 
 }  // namespace editor

@@ -14,6 +14,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/Export.h"
 #include "app/run/OutputFolder.h"
+#include "app/run/TreeCoverage.h"
 #include "app/run/TreePlay.h"
 #include "bt/human/TreeGenerator.h"
 #include "bt/human/TreeLoader.h"
@@ -36,10 +37,11 @@ struct TreesOptions {
   int ticks = 10;
   double dt = 0.05;  // [s]
   long long seed = 1;
-  std::string compat;   // quirks of the original while playing
-  bool force = false;   // overwrite files not created by hunavsim
-  std::string picture;  // file of the picture of a tree, or empty
-  std::string agent;    // name or id of the agent whose tree is drawn; empty: the only one
+  std::string compat;    // quirks of the original while playing
+  bool force = false;    // overwrite files not created by hunavsim
+  std::string picture;   // file of the picture of a tree, or empty
+  std::string coverage;  // folder of a batch whose coverage is drawn, or empty
+  std::string agent;     // name or id of the agent whose tree is drawn; empty: the only one
 };
 
 namespace fs = std::filesystem;
@@ -196,7 +198,15 @@ int draw(const TreesOptions& options, const Invocation& given) {
   if (const std::optional<base::Diagnostic> unknown = unknownTreePicture(options.picture)) {
     requireFine({*unknown}, ExitWrongCommandLine);
   }
-  const base::Result<std::string> bytes = treePictureBytes(tableToDraw(options), options.picture);
+  base::Result<std::string> bytes = std::string();
+  if (options.coverage.empty()) {
+    bytes = treePictureBytes(tableToDraw(options), options.picture);
+  } else {
+    const auto coverage =
+        readTreeCoverage((fs::path(options.coverage) / kTreeCoverageFile).string());
+    requireFine(coverage.diagnostics());
+    bytes = treePictureBytes(tableToDraw(options), options.picture, *coverage);
+  }
   requireFine(bytes.diagnostics());
   requireFine(writeFile(options.picture, *bytes, options.force));
   requireFine(recordOutputFile(options.picture, "trees"));
@@ -335,6 +345,10 @@ void addTrees(CommandRegistry& commands) {
       "Draw the tree of an agent, or a tree file, with all subtrees expanded (.svg, .pdf, .png)");
   picture->excludes(play)->excludes(output);
   command.add_option("--agent", options.agent, "Agent whose tree is drawn: name or id")
+      ->needs(picture);
+  command
+      .add_option("--coverage", options.coverage,
+                  "Draw which nodes were executed in this batch (tree_coverage: true)")
       ->needs(picture);
   command.add_option("--script", options.script, "YAML file: leaf -> statuses of its calls")
       ->needs(play);

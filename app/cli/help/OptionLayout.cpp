@@ -152,6 +152,7 @@ constexpr OptionLayout kLayouts[] = {
     {"--speed", "Output", "FACTOR", "render"},
     {"--format", "Output", kByType, kAny},
     {"--picture", "Output", "FILE", kAny},
+    {"--coverage", "Output", "DIR", kAny},
     {"--no-pdf", "Output", kByType, kAny},
     {"--layout", "Output", kByType, kAny},
     {"--tag", "Output", "NAME", kAny},
