@@ -4158,6 +4158,10 @@
         <translation>Análisis de sensibilidad</translation>
     </message>
     <message>
+        <source>Parameter tuning</source>
+        <translation>Ajuste de parámetros</translation>
+    </message>
+    <message>
         <source>Tests on a build server</source>
         <translation>Pruebas en un servidor de compilación</translation>
     </message>

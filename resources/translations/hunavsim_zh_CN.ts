@@ -4158,6 +4158,10 @@
         <translation>敏感性分析</translation>
     </message>
     <message>
+        <source>Parameter tuning</source>
+        <translation>参数整定</translation>
+    </message>
+    <message>
         <source>Tests on a build server</source>
         <translation>构建服务器上的测试</translation>
     </message>
