@@ -7672,12 +7672,12 @@ Pulse las teclas para la orden seleccionada</translation>
         <translation>Usar el archivo tal como se guardó por última vez</translation>
     </message>
     <message>
-        <source>%1 has unsaved changes, which this study would not use</source>
-        <translation>%1 tiene cambios sin guardar, que este estudio no usaría</translation>
-    </message>
-    <message>
         <source>Save %1 before the start: it has unsaved changes</source>
         <translation>Guarde %1 antes de iniciar: tiene cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1 tiene cambios sin guardar.</translation>
     </message>
 </context>
 <context>

@@ -7672,12 +7672,12 @@ Press the keys for the selected command</source>
         <translation>使用上次保存的文件</translation>
     </message>
     <message>
-        <source>%1 has unsaved changes, which this study would not use</source>
-        <translation>%1 有未保存的更改，本研究不会使用它们</translation>
-    </message>
-    <message>
         <source>Save %1 before the start: it has unsaved changes</source>
         <translation>开始前请保存 %1：它有未保存的更改</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1 有未保存的更改。</translation>
     </message>
 </context>
 <context>

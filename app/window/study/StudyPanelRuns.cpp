@@ -113,9 +113,7 @@ void StudyPanel::start(StudyProcess::Begin begin) {
 void StudyPanel::askToSave(StudyProcess::Begin begin) {
   check_.stop();  // it would replace the question
   begin_ = begin;
-  showMessage(tr("%1 has unsaved changes, which this study would not use")
-                  .arg(context_.document.displayName()),
-              true);
+  showMessage(tr("%1 has unsaved changes.").arg(context_.document.displayName()), true);
   saveButton_->show();
   asSavedButton_->show();
 }
