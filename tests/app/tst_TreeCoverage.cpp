@@ -6,6 +6,7 @@
 #include "tests/app/StudyFiles.h"
 
 using namespace outside;
+using outside::report;
 
 namespace {
 
