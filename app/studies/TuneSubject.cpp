@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -178,7 +179,8 @@ base::Diagnostics TuneSubject::openPlanner(const TuningList& list) {
   robot_ = robot.name;
   controller_ = spec_.planner.value_or(robot.planner.value_or("pursuit"));
   const std::vector<TuningRange>* const ranges = TuningList::find(list.planners, controller_);
-  const auto* const planner = sharedRegistries()->planners.find(controller_);
+  const std::shared_ptr<const sim2d::Registries> registries = sharedRegistries();
+  const auto* const planner = registries->planners.find(controller_);
   if (ranges == nullptr || planner == nullptr) {
     return {base::error("tune.unknown-planner", {controller_, list.file}, path_)};
   }
