@@ -39,7 +39,7 @@ QString metricText(const metrics::MetricResult& result) {
     return *value.value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
   }
   if (result.info.kind == metrics::Kind::Boolean) {
-    return *value.value != 0.0 ? QStringLiteral("yes") : QStringLiteral("no");
+    return *value.value != 0.0 ? QObject::tr("yes") : QObject::tr("no");
   }
   if (result.info.kind == metrics::Kind::Count) {
     return QString::number(std::llround(*value.value));

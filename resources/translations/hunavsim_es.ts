@@ -5506,6 +5506,14 @@ Elegir qué muestra el mapa</translation>
         <source>lidar: not side by side</source>
         <translation>lidar: no en vistas paralelas</translation>
     </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>

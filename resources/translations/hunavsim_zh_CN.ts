@@ -5506,6 +5506,14 @@ Choose what the map shows</source>
         <source>lidar: not side by side</source>
         <translation>激光雷达：并排视图中不显示</translation>
     </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
