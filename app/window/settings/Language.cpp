@@ -24,6 +24,10 @@ constexpr QLatin1String kTranslationStem("hunavsim_");
                                                       QT_TRANSLATE_NOOP("QShortcut", "Shift"),
                                                       QT_TRANSLATE_NOOP("QShortcut", "Alt")};
 
+/// Contexts of panels and commands: preferred for a translation that several sources share.
+constexpr const char* kNameContexts[] = {"app::WindowActions", "QObject", "editor::PlaybackActions",
+                                         "editor::ScrubActions"};
+
 /// Translates and remembers the sources of the translated texts, for `sourceText()`.
 class ProgramTranslator : public QTranslator {
  public:
@@ -32,18 +36,24 @@ class ProgramTranslator : public QTranslator {
     QString text = QTranslator::translate(context, source, disambiguation, n);
     if (!text.isEmpty()) {
       const std::lock_guard<std::mutex> lock(mutex_);  // texts of tasks
-      sources_.insert(text, QString::fromUtf8(source));
+      sources_[text].insert(context, QString::fromUtf8(source));
     }
     return text;
   }
   QString sourceOf(const QString& text) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return sources_.value(text, text);
+    const QMap<QByteArray, QString> sources = sources_.value(text);
+    for (const char* context : kNameContexts) {
+      if (sources.contains(context)) {
+        return sources.value(context);
+      }
+    }
+    return sources.isEmpty() ? text : sources.begin().value();
   }
 
  private:
   mutable std::mutex mutex_;
-  mutable QHash<QString, QString> sources_;
+  mutable QHash<QString, QMap<QByteArray, QString>> sources_;  // by translation and context
 };
 
 /// That of the existing `Translation`; null: the window is in English.

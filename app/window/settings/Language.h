@@ -48,7 +48,8 @@ class Translation {
 QLocale shownLanguage();
 
 /// The English text in the sources of a text that the window shows; the text itself if it is not
-/// translated. For names that are stored or typed and must not depend on the language.
+/// translated. For names of panels and commands, which are stored or typed and must not depend on
+/// the language.
 QString sourceText(const QString& shown);
 
 }  // namespace app
