@@ -163,8 +163,11 @@ std::vector<std::string> reasonsOf(const Study& study, const SensitivityResult& 
     for (const std::size_t factor : few.wide) {
       wide.push_back(names[factor]);
     }
-    std::string text = "the confidence intervals of " + listText(wide) + " are wider than the " +
-                       (result.morris ? "μ*" : "index");
+    const char* const range = result.morris ? "μ*" : "index";
+    std::string text =
+        wide.size() == 1
+            ? "the confidence interval of " + wide[0] + " is wider than its " + range
+            : "the confidence intervals of " + listText(wide) + " are wider than their " + range;
     if (std::isfinite(few.required)) {
       text += " (about " + numberText(few.required, 0) + " " + pointsWord(study) +
               " would be needed instead of " + std::to_string(study.sensitivity->design.points) +
