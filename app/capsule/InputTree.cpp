@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "app/capsule/CapsuleManifest.h"
 #include "app/run/DataPaths.h"
@@ -35,17 +36,15 @@ std::optional<fs::path> below(const fs::path& path, const fs::path& folder) {
 std::optional<std::string> sharedMember(const fs::path& path) {
   std::error_code ignored;
   const fs::path maps = app::shippedMapsFolder();
-  const fs::path generated = app::generatedMapsFolder();
-  const fs::path build = fs::path(app::programPath()).parent_path();  // may be in the source tree
+  const fs::path resources =
+      maps.empty() ? fs::path() : maps.parent_path() / "resources";  // also of a source tree
+  const std::pair<fs::path, const char*> folders[] = {
+      {app::generatedMapsFolder(), "maps/generated"}, {maps, "maps"}, {resources, "resources"}};
   for (const fs::path& place : {path, fs::weakly_canonical(path, ignored)}) {
-    if (const auto rest = below(place, generated)) {
-      return kSharedFolder + (fs::path("maps/generated") / *rest).string();
-    }
-    if (below(place, build)) {
-      return std::nullopt;
-    }
-    if (const auto rest = maps.empty() ? std::nullopt : below(place, maps.parent_path())) {
-      return kSharedFolder + rest->string();
+    for (const auto& [folder, name] : folders) {
+      if (const auto rest = below(place, folder)) {
+        return kSharedFolder + (fs::path(name) / *rest).string();
+      }
     }
   }
   return std::nullopt;

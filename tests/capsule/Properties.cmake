@@ -1,5 +1,5 @@
 # It packs, changes and verifies a study some sixty times.
-set(long 300)
+set(long 600)
 if(HUNAV_SANITIZE)
   set(long 1800)
 endif()
