@@ -12,8 +12,9 @@ QString words(const char* text) {
   return QString::fromUtf8(text);
 }
 
-constexpr const char* kExperiment = R"(scenarios: [fast.yaml]
-seeds: [1, 2]
+constexpr const char* kExperiment = R"(hunavsim_experiment: 1
+scenarios: [fast.yaml]
+seeds: 2
 values:
   robot1.max_vel: [0.5, 3.0]
 )";
