@@ -19,12 +19,29 @@ constexpr Stake kStakes[] = {{1.0, 0.3}, {0.6, 0.2}, {0.36, 0.2}, {0.2, 0.2}, {0
 void MeanSequence::addRound(const Numbers& values) {
   for (const double value : values) {
     const double inside = std::clamp(value, range_.low, range_.high);
-    ++counts_[inside];
+    addValue(inside);
     ++count_;
     sum_ += inside;
   }
   interval_.low = bound(true);
   interval_.high = bound(false);
+}
+
+void MeanSequence::addValue(double value) {
+  const auto known = std::find_if(repeated_.begin(), repeated_.end(),
+                                  [value](const auto& each) { return each.first == value; });
+  if (known != repeated_.end()) {
+    ++known->second;
+    return;
+  }
+  const auto single = std::find(single_.begin(), single_.end(), value);
+  if (single == single_.end()) {
+    single_.push_back(value);
+  } else {
+    *single = single_.back();
+    single_.pop_back();
+    repeated_.emplace_back(value, 2);
+  }
 }
 
 double MeanSequence::mean() const {
@@ -46,24 +63,24 @@ double MeanSequence::logWealth(double m, bool higher) const {
   return std::isinf(most) ? most : most + std::log(sum);
 }
 
-/// Σ count log(1 - θ + θ (x - end) / (m - end)). Logarithms are slow: factors of single values are
-/// multiplied first.
+/// Σ count log(1 - θ + θ (x - end) / (m - end)). Logarithms are slow: up to kBlock factors of
+/// single values are multiplied first.
 double MeanSequence::logGrowth(double share, double m, double end) const {
+  constexpr std::size_t kBlock = 16;
+  const double slope = share / (m - end);
+  const double constant = 1.0 - share - slope * end;
   double log = 0.0;
-  double product = 1.0;
-  for (const auto& [value, count] : counts_) {
-    const double factor = 1.0 - share + share * (value - end) / (m - end);
-    if (count > 1) {
-      log += count * std::log(factor);
-      continue;
+  for (std::size_t begin = 0; begin < single_.size(); begin += kBlock) {
+    double product = 1.0;
+    for (std::size_t k = begin; k < std::min(begin + kBlock, single_.size()); ++k) {
+      product *= std::max(0.0, constant + slope * single_[k]);
     }
-    product *= factor;
-    if (!(product > 1e-200 && product < 1e200)) {
-      log += std::log(product);
-      product = 1.0;
-    }
+    log += std::log(product);
   }
-  return log + std::log(product);
+  for (const auto& [value, count] : repeated_) {
+    log += count * std::log(std::max(0.0, constant + slope * value));
+  }
+  return log;
 }
 
 /// The bound now, or an earlier one that is narrower. Rounded outwards to a millionth of the range.

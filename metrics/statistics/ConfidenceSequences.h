@@ -1,6 +1,7 @@
 #pragma once
 
-#include <map>
+#include <utility>
+#include <vector>
 
 #include "metrics/statistics/Summary.h"
 
@@ -43,12 +44,14 @@ class MeanSequence {
   double logWealth(double m, bool higher) const;
 
  private:
+  void addValue(double value);
   double logGrowth(double share, double m, double end) const;
   double bound(bool higher) const;
 
   Interval range_;
   Errors errors_;
-  std::map<double, int> counts_;  // of each value
+  std::vector<double> single_;                    // values that occurred once
+  std::vector<std::pair<double, int>> repeated_;  // others, with their counts
   int count_ = 0;
   double sum_ = 0.0;
   Interval interval_;

@@ -217,21 +217,21 @@ class GateDecisionTest : public QObject {
   /// 10 points of success lost: found in at least 95 %, in the median with fewer pairs than 65 % of
   /// those of McNemar's test for the same error probabilities (Connor 1987).
   void verdict_tenPointsOfSuccessLost_isWorse() {
-    const Summary summary = summaryOf(200, {0.1, 1.0}, 200);
-    QVERIFY(summary.worse >= 190);
+    const Summary summary = summaryOf(100, {0.1, 1.0}, 200);
+    QVERIFY(summary.worse >= 95);
     const double fixed = statistics::pairsForMcNemar(0.1, 0.0, {2.0 * 0.05 / 4.0, 0.95});
     QVERIFY(summary.medianPairs < 0.65 * fixed);
   }
 
   void verdict_15PercentSlower_isWorse() {
-    const Summary summary = summaryOf(200, {0.0, 1.15}, 100);
-    QVERIFY(summary.worse >= 190);
+    const Summary summary = summaryOf(100, {0.0, 1.15}, 100);
+    QVERIFY(summary.worse >= 95);
     QVERIFY(summary.medianPairs <= 40);
   }
 
   /// A candidate at the margin passes with a probability of at most 5 %.
   void verdict_candidateAtTheMargin_rarelyPasses() {
-    QVERIFY(summaryOf(200, {0.05, 1.0}, 200).pass <= 10);
+    QVERIFY(summaryOf(100, {0.05, 1.0}, 150).pass <= 5);
   }
 };
 
