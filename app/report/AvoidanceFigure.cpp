@@ -64,6 +64,7 @@ class AvoidanceMap {
   base::Vec2 at(const base::Vec2& world) const {
     return {(world.x() - low_.x()) * scale_, (high_.y() - world.y()) * scale_};
   }
+  /// `role`: also the id of the shape, as its line width is part of the role.
   void outlines(const std::vector<sim2d::Outline>& outlines, const char* role) {
     std::string path;
     for (const sim2d::Outline& outline : outlines) {
@@ -76,7 +77,8 @@ class AvoidanceMap {
       path += "Z";
     }
     if (!path.empty()) {
-      figure_.path(path, role);
+      figure_.define(role, path, role);
+      figure_.use(role, 0.0, 0.0);
     }
   }
   void path(const std::vector<base::Vec2>& path, const std::string& role, double width) {
