@@ -184,8 +184,8 @@ Figure avoidanceFigure(const std::string& name, const sim2d::Trace& trace,
   };
   drawBody(recorded.person, bodies.personRadius, kPersonColor);
   drawBody(recorded.robot, bodies.robotRadius, kRobotColor);
-  map.path(recorded.person, "axis", 2.0);
-  map.path(recorded.robot, "axis", 2.0);
+  map.path(recorded.person, "axis", 6.0);
+  map.path(recorded.robot, "axis", 6.0);
   map.path(action.personPath, strokeOf(kPersonColor), 2.0);
   map.path(action.robotPath, strokeOf(kRobotColor), 2.5);
   figure.endClip();
