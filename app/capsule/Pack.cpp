@@ -124,7 +124,7 @@ base::Result<PackedStudy> packStudy(const PackOptions& options) {
     return source.diagnostics();
   }
   CapsuleManifest manifest = manifestOf(*source, options.withCode);
-  base::Result<std::vector<ArchiveMember>> texts = textMembers(*source, options.command);
+  base::Result<std::vector<ArchiveMember>> texts = textMembers(*source);
   if (!texts) {
     return texts.diagnostics();
   }

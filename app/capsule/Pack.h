@@ -11,11 +11,10 @@
 namespace capsule {
 
 struct PackOptions {
-  std::string study;                 // folder of a batch or of a single run
-  std::string output;                // file to write
-  bool withCode = false;             // programs and libraries that runs start are packed too
-  std::vector<std::string> command;  // command line, for the methods text
-  sim2d::ImageLoader loader;         // for map images other than PGM
+  std::string study;          // folder of a batch or of a single run
+  std::string output;         // file to write
+  bool withCode = false;      // programs and libraries that runs start are packed too
+  sim2d::ImageLoader loader;  // for map images other than PGM
 };
 
 /// A written capsule.

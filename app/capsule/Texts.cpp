@@ -50,8 +50,7 @@ std::string runMethods(const StudySource& source) {
 
 }  // namespace
 
-base::Result<std::vector<ArchiveMember>> textMembers(const StudySource& source,
-                                                     const std::vector<std::string>& command) {
+base::Result<std::vector<ArchiveMember>> textMembers(const StudySource& source) {
   std::string methods;
   if (source.isBatch) {
     report::StudyOptions options;
@@ -60,7 +59,7 @@ base::Result<std::vector<ArchiveMember>> textMembers(const StudySource& source,
     if (!study) {
       return study.diagnostics();
     }
-    methods = report::methodsPage(*study, command);
+    methods = report::methodsPage(*study, {"hunavsim", "verify", "FILE.hnv", "--sample", "100%"});
   } else {
     methods = runMethods(source);
   }

@@ -10,8 +10,7 @@
 namespace capsule {
 
 /// The members of a capsule for readers: README.txt, methods.html (procedures, versions, inputs and
-/// seeds) and references.bib. `command`: the command line of `pack`.
-base::Result<std::vector<ArchiveMember>> textMembers(const StudySource& source,
-                                                     const std::vector<std::string>& command);
+/// seeds) and references.bib.
+base::Result<std::vector<ArchiveMember>> textMembers(const StudySource& source);
 
 }  // namespace capsule

@@ -20,9 +20,7 @@ struct PackCommandOptions {
 
 int packCommand(const PackCommandOptions& options, const Invocation& given) {
   requireFine(checkOverwrite(options.output, options.force));
-  capsule::PackOptions pack{options.study, options.output, options.withCode, given.words(),
-                            loadMapImage};
-  pack.command.front() = "hunavsim";
+  const capsule::PackOptions pack{options.study, options.output, options.withCode, loadMapImage};
   Progress progress(given.quiet || given.json);
   progress.show("packing " + options.study);
   const base::Result<capsule::PackedStudy> packed = capsule::packStudy(pack);
