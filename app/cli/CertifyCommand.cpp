@@ -24,7 +24,8 @@ const std::vector<std::string>& usualPlanners() {
   return kPlanners;
 }
 
-/// Paths of the scenarios: those given, or all shipped ones that have a card with metrics.
+/// Paths of the scenarios: those given, or all shipped ones that have a card with metrics, except
+/// failures.
 std::vector<std::string> scenarioPaths(const std::vector<std::string>& files, bool all) {
   std::vector<std::string> paths;
   for (const std::string& file : files) {
@@ -37,7 +38,8 @@ std::vector<std::string> scenarioPaths(const std::vector<std::string>& files, bo
   if (all) {
     for (const ShippedScenario& shipped : shippedScenarios()) {
       const base::Result<std::string> text = base::readTextFile(shipped.path);
-      if (text && !sim2d::cardOf(*text).metrics.empty()) {
+      const sim2d::ScenarioCard card = text ? sim2d::cardOf(*text) : sim2d::ScenarioCard();
+      if (!card.metrics.empty() && card.family != kFailureFamily) {
         paths.push_back(shipped.path);
       }
     }
@@ -144,8 +146,9 @@ void addCertifyOptions(CLI::App& command, CertifyOptions& options) {
       command.add_flag("--verify", options.verify,
                        "Repeat the runs of existing certificates and compare the results");
   verify->excludes(certify);
-  command.add_flag("--all", options.all,
-                   "With --certify or --verify: all shipped scenarios with a card");
+  command.add_flag(
+      "--all", options.all,
+      "With --certify or --verify: all shipped scenarios with a card, except failures");
   command
       .add_option("--jobs", options.jobs,
                   "With --certify or --verify: number of parallel processes (default: number "

@@ -28,6 +28,10 @@ struct CertificationPlan {
 /// than one of the planners in a metric of the card.
 constexpr char kBaselinePlanner[] = "straight";
 
+/// Family of scenarios in which a planner fails (`search`). They need not be solvable by others, so
+/// they are not certified together with the shipped ones.
+constexpr char kFailureFamily[] = "Failures";
+
 /// What one planner achieves in one metric.
 struct CertifiedArm {
   std::string planner;

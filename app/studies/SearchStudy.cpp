@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/run/BundleReader.h"
+#include "app/run/Certificate.h"
 #include "app/studies/AvoidableContact.h"
 #include "app/studies/FailureScenario.h"
 #include "sim2d/base/Text.h"
@@ -84,7 +85,7 @@ class FailureSaver {
     const sim2d::ScenarioCard& original = scenario.desktop.card;
     sim2d::ScenarioCard card;
     card.title = title;
-    card.family = "Failures";
+    card.family = kFailureFamily;
     card.purpose = "Whether a robot avoids a failure that a search has found";
     card.robotTask = original.robotTask.value_or("Drive to the goal");
     card.people = peopleText(scenario);
