@@ -77,8 +77,8 @@ Rows valley(const std::vector<RunRequest>& requests) {
 }
 
 const char* const kTwoValues =
-    "  robot1.max_vel: {uniform: [0.0001, 1.0]}\n"
-    "  p01.max_vel: {uniform: [0.0001, 1.0]}\n";
+    "  robot1.max_vel: {uniform: [0.001, 1.0]}\n"
+    "  p01.max_vel: {uniform: [0.001, 1.0]}\n";
 
 std::string textOf(const app::SearchResult& result) {
   std::string text;
