@@ -57,8 +57,8 @@ class ConfidenceSequencesTest : public QObject {
  private Q_SLOTS:
   /// A sequence that excludes the mean after any of its rounds counts as missed.
   void interval_lookedAtAfterEachRound_coversInAtLeast95Percent() {
-    constexpr int kSequences = 1000;
-    constexpr int kRounds = 200;
+    constexpr int kSequences = 600;
+    constexpr int kRounds = 150;
     const double enough = -std::log(0.025);
     for (const Population& of : populations()) {
       int missed = 0;
