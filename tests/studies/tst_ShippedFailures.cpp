@@ -19,7 +19,8 @@ class ShippedFailuresTest : public QObject {
  private:
   static std::vector<fs::path> files() {
     std::vector<fs::path> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(SOURCE_DIR "/maps/library/failures")) {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(SOURCE_DIR "/maps/library/failures")) {
       const base::Result<std::string> text = base::readTextFile(entry.path().string());
       if (entry.path().extension() == ".yaml" && text &&
           text->find("hunav_loader:") != std::string::npos) {
@@ -63,7 +64,8 @@ class ShippedFailuresTest : public QObject {
     std::set<std::string> kinds;
     for (const fs::path& file : files()) {
       const sim2d::Scenario scenario = sim2d::readScenario(file.string()).scenario;
-      kinds.insert(kindIn(file.stem().string(), scenario.robots.front().planner.value_or("pursuit")));
+      kinds.insert(
+          kindIn(file.stem().string(), scenario.robots.front().planner.value_or("pursuit")));
     }
     QVERIFY(files().size() >= 10);
     QVERIFY2(kinds.size() >= 8, std::to_string(kinds.size()).c_str());
