@@ -27,6 +27,13 @@ const char* const kPlane =
 const QByteArray kScaling = "      approach_velocity_scaling_dist: 0.6\n";
 const QByteArray kSabotaged = "      approach_velocity_scaling_dist: 3.0  # too early\n";
 
+const char* const kFewParameters =
+    "hunavsim_tuning: 1\n"
+    "controllers:\n"
+    "  nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController:\n"
+    "    approach_velocity_scaling_dist: {range: [0.2, 1.5]}\n"
+    "    lookahead_dist: {range: [0.3, 1.5]}\n";
+
 QJsonObject tuneJson(const QString& path) {
   return QJsonDocument::fromJson(bytesOf(path)).object();
 }
@@ -43,6 +50,7 @@ class TuneProgramTest : public QObject, InFolder {
     QDir().mkpath(path(folder));
     writeText(path(folder + text("/plane.yaml")), plane);
     writeText(path(folder + text("/rpp.yaml")), parameters);
+    writeText(path(folder + text("/few.yaml")), kFewParameters);
     return runProgram(list("tune rpp.yaml --scenarios plane.yaml") + list(words), path(folder));
   }
   /// The shipped file, whose robot slows down 3 m before the goal instead of 0.6 m.
@@ -54,8 +62,10 @@ class TuneProgramTest : public QObject, InFolder {
  private Q_SLOTS:
   void sabotagedFile_recoversWithTheSameBytesForAnyJobs() {
     const char* const words[] = {
-        "--objective time_to_reach_goal --seeds 1 --runs 60 --held-out-seeds 2 -o out -j 1",
-        "--objective time_to_reach_goal --seeds 1 --runs 60 --held-out-seeds 2 -o out -j 2"};
+        "--objective time_to_reach_goal --parameters few.yaml --seeds 1 --runs 24 "
+        "--held-out-seeds 2 -o out -j 1",
+        "--objective time_to_reach_goal --parameters few.yaml --seeds 1 --runs 24 "
+        "--held-out-seeds 2 -o out -j 2"};
     QVERIFY(!sabotaged().isEmpty());
     const Finished one = tune(text("one"), sabotaged(), words[0]);
     QVERIFY2(one.exitCode == 0, qPrintable(one.err));
@@ -96,7 +106,8 @@ class TuneProgramTest : public QObject, InFolder {
     QByteArray plane = kPlane;
     plane.replace("x: 4.0", "x: 0.05");
     const Finished none =
-        tune(text("none"), file, "--seeds 1 --runs 30 --held-out-seeds 2 -o out", plane);
+        tune(text("none"), file,
+             "--parameters few.yaml --seeds 1 --runs 20 --held-out-seeds 2 -o out", plane);
     QVERIFY2(none.exitCode == 0, qPrintable(none.err));
     QVERIFY2(none.out.contains(text("NO IMPROVEMENT FOUND")), qPrintable(none.out));
     QCOMPARE(bytesOf(path("none/out/nav2_params.yaml")), file);
@@ -111,9 +122,9 @@ class TuneProgramTest : public QObject, InFolder {
     QCOMPARE(
         unexpected(tune(text("bad"), "controller_server: [1\n", "-o out"), 2, text("rpp.yaml")),
         QString());
-    QCOMPARE(
-        unexpected(runProgram(list("tune rpp.yaml -o out2"), path("bad")), 2, text("rpp.yaml")),
-        QString());
+    QCOMPARE(unexpected(runProgram(list("tune rpp.yaml -o out2"), path("bad")), 64,
+                        text("name them with --scenarios")),
+             QString());
     QVERIFY(!QFileInfo::exists(path("bad/out/tune.json")));
   }
 };
