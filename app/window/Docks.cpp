@@ -190,9 +190,11 @@ void Docks::ensureHeight(QDockWidget& dock, int initialHeight) {
       return;
     }
     const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
-    const bool isAlone = std::all_of(others.begin(), others.end(),
-                                     [](const QDockWidget* other) { return other->isHidden(); });
-    if (isAlone || dock.height() < initialHeight) {
+    int height = 0;  // of the area; the dock itself may still have its last one
+    for (const QDockWidget* other : others) {
+      height = std::max(height, other->isHidden() ? 0 : other->height());
+    }
+    if (height < initialHeight) {
       window_.resizeDocks({&dock}, {initialHeight}, Qt::Vertical);
     }
   });
@@ -207,11 +209,9 @@ void Docks::addToggle(QDockWidget& dock) {
   toggle->setCheckable(true);
   toggle->setIconVisibleInMenu(false);  // there it has a check mark
   connect(toggle, &QAction::triggered, &dock, [this, &dock](bool on) {
-    if (on) {
-      behind_[&dock] = frontBeside(dock);
-    }
     dock.setVisible(on);
     if (on) {
+      behind_[&dock] = frontBeside(dock);  // Qt knows the tab group of visible docks only
       dock.raise();
     } else if (const QPointer<QDockWidget> before = behind_[&dock]; before != nullptr) {
       editor::later(*before, [before] {  // after Qt has removed the tab

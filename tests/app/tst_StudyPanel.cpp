@@ -345,6 +345,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     auto& saveFirst = *widgets::withText<QAbstractButton>(panel(), text("Save and start"));
     auto& asSaved = *widgets::withText<QAbstractButton>(panel(), text("Start without them"));
     QVERIFY(!saveFirst.isVisible() && !asSaved.isVisible());
+    QTRY_VERIFY(start.isEnabled());
     QTest::mouseClick(&start, Qt::LeftButton);
     QVERIFY(!panel().isRunning());
     QVERIFY(saveFirst.isVisible() && asSaved.isVisible());
