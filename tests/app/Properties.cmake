@@ -32,3 +32,5 @@ set_tests_properties(app.tst_LowMemory PROPERTIES TIMEOUT ${long} COST 100)
 set_tests_properties(app.tst_Faults PROPERTIES TIMEOUT 3600 COST 100)
 # With HUNAV_ALL_TESTS its map has 100 million cells.
 set_tests_properties(app.tst_LargeMapProgram PROPERTIES TIMEOUT 1800 COST 100)
+# They analyse contacts with hundreds of copies of the process each.
+set_tests_properties(app.tst_ContactsProgram app.tst_ContactNotes PROPERTIES TIMEOUT ${long} COST 100)
