@@ -16,6 +16,8 @@ namespace {
 constexpr double kDt = 0.05;          // [s]
 constexpr double kTolerance = 0.1;    // [s]
 constexpr double kRobotRadius = 0.3;  // [m]
+// A trial takes 1 to 2 ms of a processor, a copy of the process included: at most 2 s per contact.
+constexpr std::size_t kMostTrials = 1000;
 
 /// A robot that drives along the x axis and a person who does not evade.
 struct ContactScene {
@@ -216,6 +218,7 @@ class AvoidableContactTest : public QObject {
     QVERIFY2(std::fabs(found - lead) <= kTolerance, text.c_str());
     QVERIFY(contact->couldRobotAvoid());
     QVERIFY(contact->robotAction->robotPath.size() > 1);
+    QVERIFY2(contact->trials <= kMostTrials, std::to_string(contact->trials).c_str());
   }
 
  private Q_SLOTS:
