@@ -4162,6 +4162,10 @@
         <translation>Ajuste de parámetros</translation>
     </message>
     <message>
+        <source>Find failures</source>
+        <translation>Búsqueda de fallos</translation>
+    </message>
+    <message>
         <source>Tests on a build server</source>
         <translation>Pruebas en un servidor de compilación</translation>
     </message>

@@ -4162,6 +4162,10 @@
         <translation>参数整定</translation>
     </message>
     <message>
+        <source>Find failures</source>
+        <translation>查找失败</translation>
+    </message>
+    <message>
         <source>Tests on a build server</source>
         <translation>构建服务器上的测试</translation>
     </message>

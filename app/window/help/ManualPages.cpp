@@ -21,6 +21,7 @@ const std::vector<ManualPage>& manualPages() {
       {"compare-planners", QT_TRANSLATE_NOOP("Manual", "Compare planners")},
       {"sensitivity", QT_TRANSLATE_NOOP("Manual", "Sensitivity analysis")},
       {"tuning", QT_TRANSLATE_NOOP("Manual", "Parameter tuning")},
+      {"find-failures", QT_TRANSLATE_NOOP("Manual", "Find failures")},
       {"nav2", QT_TRANSLATE_NOOP("Manual", "Nav2")},
       {"own-planner", QT_TRANSLATE_NOOP("Manual", "Your own planner")},
       {"python", QT_TRANSLATE_NOOP("Manual", "Python")},
