@@ -78,7 +78,7 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     QVERIFY(panel().openFile(finished()));
     QCOMPARE(rows(), std::size_t{4});
     QVERIFY(button("Report").isEnabled());
-    QTRY_VERIFY2(panel().message().endsWith(text("= 4 runs: 4 of 4 finished")),
+    QTRY_VERIFY2(panel().message().endsWith(text("= 4 runs. 4 of 4 finished")),
                  qPrintable(panel().message()));
     const auto table = readCsv(result("results.csv"));
     for (std::size_t k = 0; k < table.size(); ++k) {

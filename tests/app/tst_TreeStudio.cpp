@@ -111,8 +111,8 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     quiet::shoot(*window_, "studio_refused_dark");
     window_->setTheme(editor::Theme::light());
     addByKeysAt(called("Choose"), "AlwaysSuccess");
-    QVERIFY(!studio().problem().contains(text("Cannot run")));  // Fixed.
-    QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
+    QVERIFY(!studio().problem().contains(text("Cannot run")));                // Fixed.
+    QTRY_VERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());  // checked in a thread
     QTest::keyClick(window_.get(), Qt::Key_Space);
     QTRY_VERIFY(runner().state() != State::Editing);
     runner().reset();

@@ -361,7 +361,7 @@ QStringList StudyPanel::messagesFor(const base::Result<Experiment>& checked) con
   }
   const std::size_t finished = results_->runs().rows().size();
   if (!folderProblem_.isEmpty()) {
-    words.append(editor::capitalized(folderProblem_));
+    words.append(folderProblem_);  // begins with the name of a file
   } else if (finished > 0 && !isEdited_) {
     words.append(tr("%1 of %2 finished").arg(finished).arg(total_));
   }
