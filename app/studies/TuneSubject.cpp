@@ -10,6 +10,7 @@
 #include "app/run/Nav2Robots.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
@@ -67,6 +68,71 @@ std::vector<std::string> controllersOf(const sim2d::nav2::NodeParameters& server
 std::string withColons(std::string plugin) {
   const std::size_t slash = plugin.find('/');
   return slash == std::string::npos ? plugin : plugin.replace(slash, 1, "::");
+}
+
+/// The block of a robot in a scenario file; null: it has none.
+const base::YamlNode* robotBlock(const base::YamlNode& root, const std::string& robot) {
+  const base::YamlNode* node = &root;
+  for (const std::string& key :
+       {std::string(kDesktopNode), std::string("ros__parameters"), robot}) {
+    node = node != nullptr && node->isMap() ? node->find(key) : nullptr;
+  }
+  return node;
+}
+
+/// The text with lines inserted before the first line of a block map, with its indentation.
+/// Nothing: the map is empty, or a flow map.
+std::optional<std::string> withFirstLine(const std::string& text, const base::YamlNode& map,
+                                         const std::string& lines) {
+  if (!map.isMap() || map.items.empty() || map.items.front().keyLine <= map.keyLine) {
+    return std::nullopt;
+  }
+  std::size_t at = 0;
+  for (int line = 1; line < map.items.front().keyLine; ++line) {
+    at = text.find('\n', at) + 1;
+  }
+  const std::string indent(static_cast<std::size_t>(map.items.front().keyColumn - 1), ' ');
+  std::string added;
+  for (const std::string& line : base::split(lines, '\n')) {
+    added += indent + line + "\n";
+  }
+  return text.substr(0, at) + added + text.substr(at);
+}
+
+/// The text of a scenario with a parameter of a robot's planner, checked by reading it again. A
+/// layout that cannot be kept is written anew.
+std::optional<std::string> withPlannerParameter(const std::string& text, const std::string& robot,
+                                                const std::string& name, const std::string& value) {
+  constexpr char kParameters[] = "planner_parameters";
+  base::Diagnostics problems;
+  const base::YamlNode root = base::parseYaml(text, {}, problems);
+  const base::YamlNode* const block = robotBlock(root, robot);
+  const base::YamlNode* const given = block != nullptr ? block->find(kParameters) : nullptr;
+  std::optional<std::string> changed;
+  if (given != nullptr && given->isMap() && given->find(name) != nullptr) {
+    changed = sim2d::nav2::withParameter(
+        text, {kDesktopNode, robot + "." + kParameters + "." + name, value});
+  } else if (given != nullptr) {
+    changed = withFirstLine(text, *given, name + ": " + value);
+  } else if (block != nullptr) {
+    changed = withFirstLine(text, *block, std::string(kParameters) + ":\n  " + name + ": " + value);
+  }
+  sim2d::ScenarioReading reading = sim2d::readScenarioText(changed.value_or(text), {});
+  sim2d::Robot* const read = base::findBy(reading.scenario.robots, &sim2d::Robot::name, robot);
+  if (!reading.ok() || read == nullptr) {
+    return std::nullopt;
+  }
+  const auto isIt = [&](const auto& each) { return each.first == name; };
+  auto* const now = base::findIf(read->plannerParameters, isIt);
+  if (changed && now != nullptr && now->second == value) {
+    return changed;
+  }
+  if (now != nullptr) {
+    now->second = value;
+  } else {
+    read->plannerParameters.emplace_back(name, value);
+  }
+  return sim2d::writeScenario(reading.scenario);
 }
 
 struct FoundController {
@@ -246,8 +312,7 @@ std::optional<std::string> TuneSubject::textWith(std::size_t parameter, const st
   if (isNav2_) {
     return sim2d::nav2::withParameter(text, {tuned.node, tuned.name, value});
   }
-  return sim2d::nav2::withParameter(
-      text, {kDesktopNode, robot_ + ".planner_parameters." + tuned.name, value});
+  return withPlannerParameter(text, robot_, tuned.name, value);
 }
 
 std::optional<std::string> TuneSubject::textWith(const TunedValues& values) const {

@@ -6,7 +6,7 @@
 
 #include "app/studies/Tune.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 namespace {
 
@@ -190,6 +190,33 @@ class TuneTest : public QObject {
         path, *list, {SOURCE_DIR "/maps/planners/crossing_agents.yaml"}, app::RunSpec());
     QVERIFY(!tuned);
     QCOMPARE(tuned.diagnostics().back().code, std::string_view("tune.unknown-controller"));
+  }
+
+  /// A file that does not have the parameter yet.
+  void scenarioFile_newParameter_isReadAgain_data() {
+    QTest::addColumn<QString>("parameters");
+    QTest::addColumn<bool>("keepsLayout");
+    QTest::newRow("no map") << "      max_vel: 0.8  # slow\n" << true;
+    QTest::newRow("block map") << "      planner_parameters:\n        stop_distance: 0.4  # far\n"
+                               << true;
+    QTest::newRow("flow map") << "      planner_parameters: {stop_distance: 0.4}\n" << false;
+  }
+  void scenarioFile_newParameter_isReadAgain() {
+    QFETCH(QString, parameters);
+    QFETCH(bool, keepsLayout);
+    const std::string path = scene(parameters.toStdString());
+    const std::string changed = *subject(path, list()).textWith({"0.9"});
+    const sim2d::ScenarioReading reading = sim2d::readScenarioText(changed, "scene.yaml");
+    QVERIFY(reading.ok());
+    const sim2d::ParameterTexts& now = reading.scenario.robots.front().plannerParameters;
+    const std::pair<std::string, std::string> expected("lookahead", "0.9");
+    QVERIFY(std::find(now.begin(), now.end(), expected) != now.end());
+    if (keepsLayout) {
+      const std::string before = text(path);
+      const std::size_t comment = before.find("  #");
+      QVERIFY(changed.find(before.substr(comment, 7)) != std::string::npos);
+      QVERIFY(changed.size() < before.size() + 60);
+    }
   }
 
   void objective_texts() {
