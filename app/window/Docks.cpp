@@ -190,13 +190,16 @@ void Docks::ensureHeight(QDockWidget& dock, int initialHeight) {
       return;
     }
     const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
-    int height = 0;  // of the area; the dock itself may still have its last one
-    for (const QDockWidget* other : others) {
-      height = std::max(height, other->isHidden() ? 0 : other->height());
-    }
-    if (height < initialHeight) {
+    const bool isAlone = std::all_of(others.begin(), others.end(),
+                                     [](const QDockWidget* other) { return other->isHidden(); });
+    if (isAlone) {
       window_.resizeDocks({&dock}, {initialHeight}, Qt::Vertical);
     }
+    editor::later(dock, [this, &dock, initialHeight] {  // when Qt has given it its place
+      if (!dock.visibleRegion().isEmpty() && dock.height() < initialHeight) {
+        window_.resizeDocks({&dock}, {initialHeight}, Qt::Vertical);
+      }
+    });
   });
 }
 
