@@ -89,7 +89,7 @@ Table tuneEvaluationTable(const app::TuneOptions& options, const app::TuneResult
                   counted(options.heldOut.size(), "scenario") + ", " +
                   counted(static_cast<std::size_t>(options.heldOutSeeds), "seed") +
                   " each. Differences after − before with 95 % intervals, paired by scenario and "
-                  "seed; pairs in which a value is undefined are excluded.";
+                  "seed; pairs in which a run failed are excluded from the objectives.";
   table.columns = {{"", "", false},    {"Before", ""},   {"After", ""},
                    {"Difference", ""}, {"Relative", ""}, {"Pairs", ""}};
   table.rows.push_back({{"Success"},

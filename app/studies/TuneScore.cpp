@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -62,8 +63,11 @@ TuneOutcome outcomeOf(const ResultRow& row, const std::vector<TuneObjective>& ob
   outcome.isSuccess = !isUnsuccessful(row);
   outcome.simulated = base::parseDouble(row.simulated).value_or(0.0);
   for (const TuneObjective& objective : objectives) {
-    outcome.values.push_back(row.ok ? numberOf(row, objective.key).value_or(statistics::kUndefined)
-                                    : statistics::kUndefined);
+    const bool isRate = std::find(std::begin(kSuccessKeys), std::end(kSuccessKeys),
+                                  objective.key) != std::end(kSuccessKeys);
+    outcome.values.push_back(outcome.isSuccess || isRate
+                                 ? numberOf(row, objective.key).value_or(statistics::kUndefined)
+                                 : statistics::kUndefined);
   }
   return outcome;
 }

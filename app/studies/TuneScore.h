@@ -28,6 +28,7 @@ struct TuneOutcome {
   std::vector<double> values;  // per objective; NaN: undefined
 };
 using TuneOutcomes = std::vector<TuneOutcome>;
+/// Values of a run without success are undefined, except success itself: the run is incomplete.
 TuneOutcome outcomeOf(const ResultRow& row, const std::vector<TuneObjective>& objectives);
 
 /// Some values compared with those before, on the same runs.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <QTemporaryDir>
@@ -254,6 +255,21 @@ class TuneTest : public QObject {
     QVERIFY(std::abs(score.ratios[0] - 3.0) < 1e-12);
     QVERIFY(std::abs(score.total - (3.0 + 5.0 * 1.95 + 1.5)) < 1e-12);
     QVERIFY(!score.isAcceptable(0.05));
+  }
+
+  void outcome_ofAFailedRun_isUndefined() {
+    app::ResultRow row;
+    row.ok = true;
+    row.simulated = "12.5";
+    row.fields = {{"success", "False"}, {"intimate_space_intrusions", "3.0"}};
+    const std::vector<app::TuneObjective> of = {*app::tuneObjective("intimate_space_intrusions"),
+                                                *app::tuneObjective("success")};
+    const app::TuneOutcome failed = app::outcomeOf(row, of);
+    QVERIFY(!failed.isSuccess && std::isnan(failed.values[0]));
+    QCOMPARE(failed.values[1], 0.0);
+    QCOMPARE(failed.simulated, 12.5);
+    row.fields[0].second = "True";
+    QCOMPARE(app::outcomeOf(row, of).values[0], 3.0);
   }
 
   void improvement_needsConfidence() {
