@@ -117,6 +117,66 @@ class Nav2PanelTest : public QObject, protected quiet::InFolder {
     type("FollowPath.retry_attempt_limit", "3");
     QTRY_COMPARE(panel().form().changedCount(), 3);
     quiet::shoot(*window_, "nav2_panel_changed");
+    quiet::answerDialog<QFileDialog>([this](QFileDialog& dialog) {
+      auto* name = dialog.findChild<QLineEdit*>(text("fileNameEdit"));
+      name->setText(at("tuned.yaml"));
+      QTest::keyClick(name, Qt::Key_Return);
+    });
+    QTest::mouseClick(&panel().saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(QFileInfo::exists(at("tuned.yaml")));
+    QCOMPARE(robot().nav2Params, std::vector<std::string>{"tuned.yaml"});
+    QVERIFY(robot().nav2Values.empty());
+    const QList<QByteArray> before = shipped().split('\n');
+    QList<QByteArray> now = bytesOf(at("tuned.yaml")).split('\n');
+    QStringList changed;
+    for (const QByteArray& line : before) {
+      if (!now.isEmpty() && now.front() == line) {
+        now.removeFirst();
+        continue;
+      }
+      changed.append(QString::fromUtf8(now.front().trimmed()));
+      now.removeFirst();
+      if (!now.isEmpty() && changed.back().startsWith(text("retry_attempt_limit"))) {
+        now.removeFirst();  // an added line, not an exchanged one
+      }
+    }
+    changed.sort();
+    QVERIFY2(changed.contains(text("vx_max: 0.75")) && changed.contains(text("temperature: 0.2")) &&
+                 changed.size() == 3,
+             qPrintable(changed.join(text("|"))));
+    QCOMPARE(bytesOf(at("mine.yaml")), shipped());
+    // What the robot does is the same; the panel shows the new file without changes.
+    const app::Nav2ParameterList list =
+        app::nav2ParameterListOf(robot(), document().path().toStdString());
+    for (const app::Nav2Parameter& parameter : list.parameters) {
+      if (parameter.name == "FollowPath.retry_attempt_limit") {
+        QVERIFY(parameter.fileValue.has_value());
+        QCOMPARE(parameter.value(), std::string("3"));
+      }
+    }
+    QTRY_COMPARE(panel().form().changedCount(), 0);
+    QCOMPARE(QFileInfo(panel().form().file()).fileName(), text("tuned.yaml"));
+    document().undoStack().undo();
+    QCOMPARE(robot().nav2Params, std::vector<std::string>{"mine.yaml"});
+    QCOMPARE(robot().nav2Values.size(), std::size_t{3});
+  }
+
+  void saveAs_whereNothingCanBeWritten_isReported() {
+    openPanel();
+    type("FollowPath.temperature", "0.2");
+    QSignalSpy told(&window_->docks().context(), &editor::PanelContext::problemsFound);
+    QVERIFY(!panel().saveAs(at("scene.yaml/tuned.yaml")));
+    QVERIFY(told.count() >= 1);
+    QCOMPARE(robot().nav2Params, std::vector<std::string>{"mine.yaml"});
+    QCOMPARE(robot().nav2Values.size(), std::size_t{1});
+  }
+
+  /// In the window the key belongs to the list that has the focus.
+  /// The user's own file, chosen in the panel instead of typed as a path.
+  void chooseFile_ofTheUser_isUsedAndUndone() {
+    openPanel();
+    QVERIFY(QDir(folder_->path()).mkdir(text("own")));
+    writeText(at("own/other.yaml"), shipped().replace("temperature: 0.3", "temperature: 0.7"));
     bool isAsked = false;
     quiet::answerDialog<QFileDialog>([&isAsked](QFileDialog& dialog) {
       isAsked = dialog.fileMode() == QFileDialog::ExistingFile;
