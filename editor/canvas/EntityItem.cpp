@@ -401,8 +401,7 @@ class ShapeItem : public EntityItem {
     }
   }
 
-  /// The centre of the sign in the scene: in the upper left corner, or in the middle of a narrow
-  /// area.
+  /// Centre of the sign in the scene: in the upper left corner, or the middle of a narrow area.
   QPointF signPlace(double pixelsPerMetre) const {
     const QRectF box = path_.boundingRect();
     const double inset = kSignInsetPx / pixelsPerMetre;
@@ -422,9 +421,8 @@ class ShapeItem : public EntityItem {
     const double height = box.height() * pixelsPerMetre;
     Label label{kind, std::nullopt, box.center(), 0.5 * height + 4.0, 0, false};
     if (!area.name.empty()) {
-      label.text = base::startsWith(area.name, nameStem(value_)) || name.startsWith(kind)
-                       ? name
-                       : QStringLiteral("%1 · %2").arg(name, kind);
+      const bool saysKind = base::startsWith(area.name, nameStem(value_)) || name.startsWith(kind);
+      label.text = saysKind ? name : QStringLiteral("%1 · %2").arg(name, kind);
       label.text = labelSize(theme(), label).width() > width ? name : label.text;
     }
     const QSizeF size = labelSize(theme(), label);
