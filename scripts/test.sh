@@ -87,7 +87,7 @@ run_tests() {
 show_slowest() {
   say "the slowest 30 tests [s]:"
   grep -oE '[[:alnum:]_.]+ \.+ *[*A-Za-z]+ +[0-9.]+ sec' "$1" | awk '{ print $(NF - 1), $1 }' |
-    sort -rn | head -n 30 >&2
+    sort -rn | awk 'NR <= 30' >&2
 }
 
 # Every program of tests/fuzz, together for fuzz_seconds, with new inputs at every run, from its seeds
