@@ -37,7 +37,7 @@ struct Future {
   int number = 0;  // 0, 1 … in the order of their seeds
   long long seed = 1;
   std::vector<double> times;                    // of the points [s], the moment first
-  std::map<int, std::vector<base::Vec2>> ways;  // by id; NaN while somebody is not there [m]
+  std::map<int, std::vector<base::Vec2>> ways;  // by id; NaN while absent [m]
   std::optional<FutureContact> contact;
   std::string failure;  // why the world stopped before the horizon; empty: it did not
 };

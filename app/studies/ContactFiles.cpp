@@ -335,7 +335,7 @@ std::vector<PlannerCost> plannerCosts(const std::vector<ContactReport>& reports)
       ++cost.contacts;
       cost.robotCould += robot ? 1 : 0;
       cost.personCould += person ? 1 : 0;
-      cost.nobodyCould += robot || person ? 0 : 1;
+      cost.neitherCould += robot || person ? 0 : 1;
     }
     cost.people += report.effects.size();
     for (const metrics::PersonEffect& effect : report.effects) {
@@ -365,7 +365,7 @@ std::string plannersCsv(const std::vector<PlannerCost>& costs) {
   for (const PlannerCost& cost : costs) {
     text += fieldText(cost.planners);
     for (const std::size_t count : {cost.runs, cost.people, cost.contacts, cost.robotCould,
-                                    cost.personCould, cost.nobodyCould}) {
+                                    cost.personCould, cost.neitherCould}) {
       text += "," + std::to_string(count);
     }
     for (const double mean : {cost.meanDelay, cost.meanDetour, cost.meanSlowed}) {

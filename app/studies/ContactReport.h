@@ -73,7 +73,7 @@ std::string peopleCsv(const std::vector<ContactReport>& reports);
 struct PlannerCost {
   std::string planners;
   std::size_t runs = 0, people = 0;  // people: of all runs together
-  std::size_t contacts = 0, robotCould = 0, personCould = 0, nobodyCould = 0;
+  std::size_t contacts = 0, robotCould = 0, personCould = 0, neitherCould = 0;
   double meanDelay = 0.0, meanDetour = 0.0, meanSlowed = 0.0;  // per person [s], [m], [s]
 };
 /// By name of the planners.

@@ -66,8 +66,8 @@ FailureSide sideOf(double bearing) {
 
 std::string FailureKind::name() const {
   constexpr const char* kEnds[] = {"contact", "standstill", "failure", "time", "error"};
-  constexpr const char* kSides[] = {"front",    "left",   "right",  "behind",
-                                    "obstacle", "nobody", "earlier"};
+  constexpr const char* kSides[] = {"front",    "left",      "right",  "behind",
+                                    "obstacle", "no-person", "earlier"};
   std::string text = std::string(kEnds[static_cast<int>(end)]) + "-";
   text += kSides[static_cast<int>(side)];
   const bool hasPerson = side < FailureSide::Obstacle;
@@ -82,7 +82,7 @@ std::string FailureKind::text() const {
   if (side == FailureSide::Obstacle) {
     return what + " with an obstacle";
   }
-  if (side == FailureSide::Nobody) {
+  if (side == FailureSide::NoPerson) {
     return what + ", no person near";
   }
   if (side == FailureSide::Earlier) {

@@ -13,18 +13,19 @@ enum class FailureEnd { Contact, Standstill, Failure, Time, Error };
 
 /// Where the nearest person is at the end, in the frame of the robot: `Front` up to 45 degrees to
 /// either side of its heading, `Behind` from 135 degrees on. `Obstacle`: a contact with a wall or
-/// obstacle; `Nobody`: no person within the social space (3.6 m); `Earlier`: a contact that did not
-/// end the run, closer than `contact_distance` without touching, or without `stop_on_collision`.
-enum class FailureSide { Front, Left, Right, Behind, Obstacle, Nobody, Earlier };
+/// obstacle; `NoPerson`: no person within the social space (3.6 m); `Earlier`: a contact that did
+/// not end the run, closer than `contact_distance` without touching, or without
+/// `stop_on_collision`.
+enum class FailureSide { Front, Left, Right, Behind, Obstacle, NoPerson, Earlier };
 
 /// The kind of a failure: how the run ended, where the nearest person was, and whether that person
 /// moved (faster than 0.1 m/s). Failures with equal kinds count as the same failure.
 struct FailureKind {
   FailureEnd end = FailureEnd::Contact;
-  FailureSide side = FailureSide::Nobody;
+  FailureSide side = FailureSide::NoPerson;
   bool isMoving = false;
 
-  /// For names of files: "contact-left-moving", "standstill-nobody".
+  /// For names of files: "contact-left-moving", "standstill-no-person".
   std::string name() const;
   /// For readers: "contact with a moving person on the left".
   std::string text() const;

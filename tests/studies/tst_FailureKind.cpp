@@ -69,17 +69,17 @@ class FailureKindTest : public QObject {
                            << "0.2"
                            << "3.7"
                            << "0"
-                           << "standstill-nobody";
+                           << "standstill-no-person";
     QTest::newRow("no people") << "duration"
                                << ""
                                << ""
                                << ""
-                               << "time-nobody";
+                               << "time-no-person";
     QTest::newRow("navigator") << "navigation_failed: robot1, planner NO_VALID_PATH (208)"
                                << ""
                                << ""
                                << ""
-                               << "failure-nobody";
+                               << "failure-no-person";
     QTest::newRow("missed") << "goal_missed: robot1, 1.34 m from the goal"
                             << "3"
                             << "1"
@@ -120,7 +120,7 @@ class FailureKindTest : public QObject {
     QVERIFY(!app::failureKindOf(broken));
     QVERIFY(!app::wasSimulated(broken));
     broken.simulated = "3.2";  // the run broke off
-    QCOMPARE(app::failureKindOf(broken)->name(), std::string("error-nobody"));
+    QCOMPARE(app::failureKindOf(broken)->name(), std::string("error-no-person"));
   }
 };
 

@@ -129,7 +129,7 @@ void printPlanners(const std::vector<ContactReport>& reports) {
   for (const PlannerCost& cost : plannerCosts(reports)) {
     rows.push_back({cost.planners, std::to_string(cost.runs), std::to_string(cost.contacts),
                     std::to_string(cost.robotCould), std::to_string(cost.personCould),
-                    std::to_string(cost.nobodyCould), signedText(cost.meanDelay, 2, "s"),
+                    std::to_string(cost.neitherCould), signedText(cost.meanDelay, 2, "s"),
                     signedText(cost.meanDetour, 2, "m")});
   }
   printLine("");
