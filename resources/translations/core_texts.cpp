@@ -1,6 +1,6 @@
 // clang-format off
-// Written by HUNAV_UPDATE=1 tst_CoreTexts, read by lupdate, not compiled: texts of the
-// folders without Qt.
+// Generated; do not edit. Labels and explanations of the folders without Qt, for lupdate;
+// not compiled. Regenerate with: HUNAV_UPDATE=1 build/dev/tests/tst_CoreTexts
 QT_TRANSLATE_NOOP("Core", "Yaml base name")
 QT_TRANSLATE_NOOP("Core", "Base name of the file; part of the names of tree files")
 QT_TRANSLATE_NOOP("Core", "Simulator")

@@ -110,8 +110,8 @@ std::string quoted(std::string text) {
 std::string listing(const CoreTexts& texts) {
   std::string all =
       "// clang-format off\n"
-      "// Written by HUNAV_UPDATE=1 tst_CoreTexts, read by lupdate, not compiled: texts of the\n"
-      "// folders without Qt.\n";
+      "// Generated; do not edit. Labels and explanations of the folders without Qt, for lupdate;\n"
+      "// not compiled. Regenerate with: HUNAV_UPDATE=1 build/dev/tests/tst_CoreTexts\n";
   for (const std::string& text : texts.all()) {
     all += "QT_TRANSLATE_NOOP(\"Core\", " + quoted(text) + ")\n";
   }
