@@ -4162,6 +4162,10 @@
         <translation>Ajuste de parámetros</translation>
     </message>
     <message>
+        <source>Share a study</source>
+        <translation>Compartir un estudio</translation>
+    </message>
+    <message>
         <source>Find failures</source>
         <translation>Búsqueda de fallos</translation>
     </message>
@@ -4208,6 +4212,10 @@
     <message>
         <source>Studies on a cluster</source>
         <translation>Estudios en un clúster</translation>
+    </message>
+    <message>
+        <source>List of scenarios</source>
+        <translation>Lista de escenarios</translation>
     </message>
     <message>
         <source>Troubleshooting</source>

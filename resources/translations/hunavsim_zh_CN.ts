@@ -4162,6 +4162,10 @@
         <translation>参数整定</translation>
     </message>
     <message>
+        <source>Share a study</source>
+        <translation>共享研究</translation>
+    </message>
+    <message>
         <source>Find failures</source>
         <translation>查找失败</translation>
     </message>
@@ -4208,6 +4212,10 @@
     <message>
         <source>Studies on a cluster</source>
         <translation>在集群上运行研究</translation>
+    </message>
+    <message>
+        <source>List of scenarios</source>
+        <translation>场景列表</translation>
     </message>
     <message>
         <source>Troubleshooting</source>

@@ -207,19 +207,15 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
     QVERIFY(palette().isVisible());
   }
 
-  void pages_allHaveTitles() {
-    QCOMPARE(app::manualPages().size(), std::size_t{29});
-    QSet<QString> names;
+  void pages_areTheFilesOfTheManual() {
+    QStringList names;
     for (const app::ManualPage& page : app::manualPages()) {
-      names << QString::fromLatin1(page.name);
+      names << QString::fromLatin1(page.name) + QStringLiteral(".md");
       QVERIFY(*page.title != '\0');
     }
-    QCOMPARE(names.size(), 29);
+    names.sort();
     const QDir sources(QStringLiteral(SOURCE_DIR "/resources/manual"));
-    for (const QString& file : sources.entryList({QStringLiteral("*.md")})) {
-      names.remove(QFileInfo(file).completeBaseName());
-    }
-    QVERIFY2(names.isEmpty(), qPrintable(names.values().join(QLatin1Char(' '))));
+    QCOMPARE(names, sources.entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name));
   }
 
   /// F1 with the focus in twenty different widgets.

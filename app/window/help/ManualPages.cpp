@@ -21,6 +21,7 @@ const std::vector<ManualPage>& manualPages() {
       {"compare-planners", QT_TRANSLATE_NOOP("Manual", "Compare planners")},
       {"sensitivity", QT_TRANSLATE_NOOP("Manual", "Sensitivity analysis")},
       {"tuning", QT_TRANSLATE_NOOP("Manual", "Parameter tuning")},
+      {"share", QT_TRANSLATE_NOOP("Manual", "Share a study")},
       {"find-failures", QT_TRANSLATE_NOOP("Manual", "Find failures")},
       {"nav2", QT_TRANSLATE_NOOP("Manual", "Nav2")},
       {"own-planner", QT_TRANSLATE_NOOP("Manual", "Your own planner")},
@@ -33,6 +34,7 @@ const std::vector<ManualPage>& manualPages() {
       {"commands", QT_TRANSLATE_NOOP("Manual", "Commands")},
       {"gate", QT_TRANSLATE_NOOP("Manual", "Tests on a build server")},
       {"cluster", QT_TRANSLATE_NOOP("Manual", "Studies on a cluster")},
+      {"scenarios", QT_TRANSLATE_NOOP("Manual", "List of scenarios")},
       {"troubleshooting", QT_TRANSLATE_NOOP("Manual", "Troubleshooting")},
       {"cite", QT_TRANSLATE_NOOP("Manual", "How to cite")},
       {"glossary", QT_TRANSLATE_NOOP("Manual", "Glossary")}};
