@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "app/cli/Console.h"
 #include "app/run/Batch.h"
@@ -48,7 +47,6 @@ base::Diagnostics executeUntilEnough(const Experiment& experiment, BatchFolder& 
 
 base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& runner,
                               BatchFolder& folder, const BatchRunOptions& options) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const ResultStore& store = folder.store();
   const std::size_t total = store.study().shard.runCount(store.study().runs);
   const std::size_t before = store.finished();
@@ -79,7 +77,7 @@ base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& ru
   };
   show();
   BatchJob job;
-  job.jobs = options.jobs > 0 ? options.jobs : cores;
+  job.jobs = options.jobs;
   const double limit = store.study().timeLimit;
   job.timeLimit = limit > 0.0 ? limit : job.timeLimit;
   job.execute = [&](std::size_t run, const BatchJob::ReportInputs& reportInputs) {

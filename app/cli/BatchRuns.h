@@ -1,12 +1,13 @@
 #pragma once
 
+#include "app/run/Batch.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/ExperimentRunner.h"
 
 namespace app {
 
 struct BatchRunOptions {
-  int jobs = 0;        // 0 = number of cores
+  int jobs = processorCount();
   bool rows = false;   // print rows to standard output
   bool quiet = false;  // no progress
 };

@@ -1,7 +1,6 @@
 #include "app/cli/CertifyCommand.h"
 
 #include <algorithm>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 
@@ -57,8 +56,7 @@ CertificationPlan planOf(const CertifyOptions& options) {
 }
 
 void complete(CertificationPlan& plan, const CertifyOptions& options, Progress& progress) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  plan.jobs = options.jobs > 0 ? options.jobs : cores;
+  plan.jobs = options.jobs;
   plan.loader = loadMapImage;
   plan.wantsStop = wasInterrupted;
   plan.showProgress = [&progress](std::size_t finished, std::size_t total) {

@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "app/cli/CommandRegistry.h"
+#include "app/run/Batch.h"
 
 namespace app {
 
 /// `check --certify` and `check --verify`.
 struct CertifyOptions {
   bool certify = false, verify = false;
-  bool all = false;                   // all shipped scenarios with a card
-  int jobs = 0;                       // 0 = number of cores
+  bool all = false;  // all shipped scenarios with a card
+  int jobs = processorCount();
   int seeds = 10;                     // number of seeds
   int firstSeed = 1001;               // of the seeds for evaluation
   std::vector<std::string> planners;  // empty: kUsualPlanners

@@ -267,6 +267,35 @@ void addMetricsOptions(CLI::App& command, MetricsOptions& options) {
       ->check(oneOf(metricProfiles()));
 }
 
+std::vector<std::string> Invocation::wordsForResults() const {
+  std::vector<std::string> kept = {"hunavsim"};
+  const std::vector<std::string> all = words();
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const std::string& word = all[k];
+    const bool isJobs = base::startsWith(word, "-j") || base::startsWith(word, "--jobs");
+    if (word == "-j" || word == "--jobs") {
+      ++k;  // and its value
+    } else if (!isJobs && word != "--resume" && word != "--force" && word != "-q" &&
+               word != "--quiet" && word != "--json") {
+      kept.push_back(word);
+    }
+  }
+  return kept;
+}
+
+void addJobs(CLI::App& command, int& jobs) {
+  command
+      .add_option("-j,--jobs", jobs, "Number of parallel processes (default: number of processors)")
+      ->check(CLI::Range(1, 1024));
+}
+
+void addTimeLimit(CLI::App& command, double& seconds) {
+  command
+      .add_option("--time-limit", seconds,
+                  "Wall time after which a run counts as failed [s] (default: none)")
+      ->check(CLI::PositiveNumber);
+}
+
 void addAllowCode(CLI::App& command, bool& allowed) {
   command.add_flag("--allow-code", allowed,
                    "Allow the scenario to start external planner programs and libraries");

@@ -52,6 +52,9 @@ struct Invocation {
   bool quiet = false;  // no progress, no table
   bool json = false;   // machine-readable standard output
   std::vector<std::string> words() const { return {argv, argv + argc}; }
+  /// The command line without the options that do not change the results of a study: --jobs,
+  /// --resume, --force, --quiet, --json.
+  std::vector<std::string> wordsForResults() const;
 };
 
 /// Prints the final report of `batch` and `merge`; returns the exit code. `problems`: write errors.
@@ -119,6 +122,8 @@ class CommandRegistry {
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help);
 // Options that several commands have in common.
 void addAllowCode(CLI::App& command, bool& allowed);
+void addJobs(CLI::App& command, int& jobs);
+void addTimeLimit(CLI::App& command, double& seconds);  // of one run, wall time; 0 = none
 void addForce(CLI::App& command, bool& force);
 void addMetricsOptions(CLI::App& command, MetricsOptions& options);
 

@@ -18,6 +18,7 @@
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -177,6 +178,10 @@ int WorkerProcess::end() {
     process_ = socket_ = -1;
   }
   return status;
+}
+
+int processorCount() {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 std::vector<std::size_t> waitForData(const std::vector<int>& descriptors) {

@@ -57,6 +57,9 @@ class WorkerProcess {
 /// last one first.
 std::vector<std::size_t> waitForData(const std::vector<int>& descriptors);
 
+/// The number of processors that this process may use, at least 1: how many workers run by default.
+int processorCount();
+
 /// The runs of a batch and how to execute them.
 struct BatchJob {
   std::vector<std::size_t> runs;                               // indices, in starting order

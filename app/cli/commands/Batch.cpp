@@ -1,3 +1,5 @@
+#include "app/run/Batch.h"
+
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
@@ -19,7 +21,7 @@ namespace {
 struct BatchOptions {
   std::string experiment;
   std::string output;
-  int jobs = 0;  // 0 = number of cores
+  int jobs = processorCount();
   bool allowCode = false, resume = false, retryFailed = false, force = false;
   bool rows = false;       // print rows to standard output
   std::string shard;       // "K/N"; empty = all runs
@@ -109,10 +111,7 @@ void addBatch(CommandRegistry& commands) {
       "batch", "Run an experiment: scenarios x parameter values x seeds", batchCommand);
   command.add_option("experiment", options.experiment, "Experiment file")->required();
   addOutputFolder(command, options.output, "Output folder").required();
-  command
-      .add_option("-j,--jobs", options.jobs,
-                  "Number of parallel processes (default: number of cores)")
-      ->check(CLI::Range(1, 1024));
+  addJobs(command, options.jobs);
   addAllowCode(command, options.allowCode);
   CLI::Option* const resume = command.add_flag(
       "--resume", options.resume, "Continue an interrupted batch, or start it if there is none");

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cmath>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/PictureFiles.h"
 #include "app/report/AvoidanceFigure.h"
+#include "app/run/Batch.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/OutputFolder.h"
 #include "app/run/ResultStore.h"
@@ -245,7 +245,7 @@ void addContacts(CommandRegistry& commands) {
       contactsCommand);
   CLI::App& command = added.first;
   ContactsOptions& options = added.second;
-  options.report.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.report.jobs = processorCount();
   command.add_option("source", options.source, "Folder of a recorded run or of a batch")
       ->required();
   addOutputFolder(command, options.output,
@@ -263,10 +263,7 @@ void addContacts(CommandRegistry& commands) {
                      "the 10 s before it [m] (default: 5; 0: none)");
   command.add_flag("--quick", options.quick,
                    "Only last avoidable actions: no repetitions without people or robots");
-  command
-      .add_option("-j,--jobs", options.report.jobs,
-                  "Number of parallel processes (default: number of cores)")
-      ->check(CLI::Range(1, 256));
+  addJobs(command, options.report.jobs);
   commands.addExamples(
       command, {{"hunavsim contacts out --quick",
                  "List until when each contact of a run could have been avoided, and by whom"},

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +13,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/Batch.h"
 #include "app/run/RunReplay.h"
 #include "app/run/Session.h"
 #include "sim2d/base/JsonText.h"
@@ -170,7 +170,7 @@ void addFutures(CommandRegistry& commands) {
       futuresCommand);
   CLI::App& command = added.first;
   FuturesWords& words = added.second;
-  words.futures.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  words.futures.jobs = processorCount();
   command.add_option("moment", words.moment, "RUN@SECONDS: a recorded run and a time in it")
       ->required();
   command.add_option("--seeds", words.futures.count, "Number of simulated futures (default: 20)");
@@ -185,10 +185,7 @@ void addFutures(CommandRegistry& commands) {
   command.add_option("--planner", words.planner, "Planner of the first robot after that time");
   command.add_option("--set", words.set, "PATH=VALUE: value after that time, as in run --from")
       ->allow_extra_args(false);
-  command
-      .add_option("-j,--jobs", words.futures.jobs,
-                  "Number of parallel processes (default: number of cores)")
-      ->check(CLI::Range(1, 256));
+  addJobs(command, words.futures.jobs);
   commands.addExamples(command, {{"hunavsim futures out@2 --seeds 10 --horizon 3",
                                   "Simulate ten futures of 3 s after the first 2 s"}});
 }

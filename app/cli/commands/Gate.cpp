@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/report/GateReport.h"
+#include "app/run/Batch.h"
 #include "app/studies/StudyFolder.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -22,7 +22,7 @@ struct GateWords {
   std::string base, candidate, output;
   std::vector<std::string> scenarios, metrics;
   RunSpec common;
-  int jobs = 0;  // 0 = number of cores
+  int jobs = processorCount();
   int seeds = 200;
   long long firstSeed = 1;
   double level = 0.95, timeLimit = 0.0;  // [s]; 0 = none
@@ -132,23 +132,6 @@ GateResult runInPool(const GateWords& words, const GateOptions& options, RunPool
   return *std::move(result);
 }
 
-/// The command line without what does not change the results.
-std::vector<std::string> commandOf(const Invocation& given) {
-  std::vector<std::string> words = {"hunavsim"};
-  const std::vector<std::string> all = given.words();
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    const std::string& word = all[k];
-    if (word == "-j" || word == "--jobs") {
-      ++k;  // and its value
-    } else if (word != "--resume" && word != "--force" && word != "-q" && word != "--quiet" &&
-               word != "--json" && !base::startsWith(word, "--jobs=") &&
-               !(base::startsWith(word, "-j") && word.size() > 2)) {
-      words.push_back(word);
-    }
-  }
-  return words;
-}
-
 int exitCodeOf(GateVerdict verdict) {
   return verdict == GateVerdict::Pass    ? ExitFine
          : verdict == GateVerdict::Worse ? ExitRunFailed
@@ -179,9 +162,7 @@ int gateCommand(const GateWords& words, const Invocation& given) {
   GateProgress progress(given.quiet || given.json,
                         2 * options.scenarios.size() * static_cast<std::size_t>(options.maxSeeds));
   RunPoolOptions poolOptions;
-  poolOptions.jobs = words.jobs > 0
-                         ? words.jobs
-                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  poolOptions.jobs = words.jobs;
   poolOptions.timeLimit = words.timeLimit > 0.0 ? words.timeLimit : poolOptions.timeLimit;
   poolOptions.allowCode = words.allowCode;
   poolOptions.loader = loadMapImage;
@@ -194,7 +175,7 @@ int gateCommand(const GateWords& words, const Invocation& given) {
   requireFine(pool.diagnostics());
   const GateResult result = runInPool(words, options, **pool, progress);
   const report::GateReport report =
-      report::makeGateReport(options, result, commandOf(given), (*pool)->inputs());
+      report::makeGateReport(options, result, given.wordsForResults(), (*pool)->inputs());
   if (folder) {
     requireFine(folder->finish({{"gate.html", report.html},
                                 {"gate.md", report.markdown},
@@ -218,15 +199,8 @@ void addGateRunOptions(CLI::App& command, GateWords& words) {
         "nav2-tree", "nav2-distro", "set", "metrics-profile"}) {
     addRunOption(command, name, words.common);
   }
-  command
-      .add_option("-j,--jobs", words.jobs,
-                  "Number of parallel processes (default: number of cores); does not change the "
-                  "results")
-      ->check(CLI::Range(1, 1024));
-  command
-      .add_option("--time-limit", words.timeLimit,
-                  "Wall time after which a run counts as failed [s] (default: none)")
-      ->check(CLI::PositiveNumber);
+  addJobs(command, words.jobs);
+  addTimeLimit(command, words.timeLimit);
   addAllowCode(command, words.allowCode);
 }
 

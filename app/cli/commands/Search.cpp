@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/report/SearchPage.h"
+#include "app/run/Batch.h"
 #include "app/run/DataPaths.h"
 #include "app/studies/SearchStudy.h"
 #include "app/studies/StudyFolder.h"
@@ -24,7 +24,7 @@ struct SearchOptions {
   std::vector<std::string> descriptors;
   std::size_t runs = 500, failures = 1, shrinkRuns = 400;
   std::uint64_t seed = 1;
-  int jobs = 0;            // 0 = number of cores
+  int jobs = processorCount();
   double timeLimit = 0.0;  // [s]; 0 = none
   bool untilFailure = false, allContacts = false, allowCode = false, resume = false, force = false;
 };
@@ -103,9 +103,7 @@ class SearchProgress {
 std::unique_ptr<RunPool> openSearchPool(const SearchOptions& options, const StudyFolder& folder,
                                         SearchProgress& progress) {
   RunPoolOptions pool;
-  pool.jobs = options.jobs > 0
-                  ? options.jobs
-                  : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  pool.jobs = options.jobs;
   pool.timeLimit = options.timeLimit > 0.0 ? options.timeLimit : pool.timeLimit;
   pool.allowCode = options.allowCode;
   pool.loader = loadMapImage;
@@ -134,12 +132,10 @@ std::vector<RunRequest> firstSearchRequests(const Experiment& experiment,
 
 std::vector<base::FileContent> searchFiles(const SearchStudy& study, const SearchOptions& options,
                                            const Invocation& given) {
-  std::vector<std::string> command = given.words();
-  command.front() = "hunavsim";
   std::vector<base::FileContent> files = {
       {"archive.json", searchJson(study)},
       {"runs.csv", searchCsv(study)},
-      {"report.html", report::searchPage(study, options.output, command)}};
+      {"report.html", report::searchPage(study, options.output, given.wordsForResults())}};
   for (const SavedFailure& failure : study.failures) {
     files.push_back({failure.file, failure.text});
   }
@@ -225,15 +221,8 @@ int searchCommand(const SearchOptions& options, const Invocation& given) {
 }
 
 void addSearchRunOptions(CLI::App& command, SearchOptions& options) {
-  command
-      .add_option("-j,--jobs", options.jobs,
-                  "Number of parallel processes (default: number of cores); does not change the "
-                  "results")
-      ->check(CLI::Range(1, 1024));
-  command
-      .add_option("--time-limit", options.timeLimit,
-                  "Wall time after which a run counts as failed [s] (default: none)")
-      ->check(CLI::PositiveNumber);
+  addJobs(command, options.jobs);
+  addTimeLimit(command, options.timeLimit);
   addAllowCode(command, options.allowCode);
   CLI::Option* const resume = command.add_flag(
       "--resume", options.resume, "Use the runs in the journal of an earlier search in the folder");

@@ -8,6 +8,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/ReportFiles.h"
 #include "app/report/SensitivityPage.h"
+#include "app/run/Batch.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/ExperimentRunner.h"
 #include "sim2d/base/Text.h"
@@ -20,7 +21,7 @@ struct SensitivityOptions {
   report::StudyOptions studyOptions;  // its folder is the output folder
   std::string experiment, method, metrics;
   std::optional<std::size_t> points;
-  int jobs = 0;            // 0 = number of cores
+  int jobs = processorCount();
   double timeLimit = 0.0;  // [s]; 0 = none
   bool allowCode = false, resume = false, force = false, noPdf = false;
 };
@@ -175,10 +176,7 @@ void addSensitivity(CommandRegistry& commands) {
       .add_option("--resamples", options.studyOptions.resamples,
                   "Bootstrap resamples (default: 2000)")
       ->check(CLI::Range(100, 100000));
-  command
-      .add_option("-j,--jobs", options.jobs,
-                  "Number of parallel processes (default: number of cores)")
-      ->check(CLI::Range(1, 1024));
+  addJobs(command, options.jobs);
   addAllowCode(command, options.allowCode);
   CLI::Option* const resume = command.add_flag(
       "--resume", options.resume,
@@ -188,10 +186,7 @@ void addSensitivity(CommandRegistry& commands) {
                 "Restart an interrupted analysis from the beginning; overwrite files that hunavsim "
                 "did not create")
       ->excludes(resume);
-  command
-      .add_option("--time-limit", options.timeLimit,
-                  "Wall time after which a run counts as failed [s]")
-      ->check(CLI::PositiveNumber);
+  addTimeLimit(command, options.timeLimit);
   command.add_flag("--no-pdf", options.noPdf, "Write figures as SVG only");
   commands.addExamples(command,
                        {{"hunavsim sensitivity study.yaml -o screening --points 20",

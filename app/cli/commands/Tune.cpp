@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/report/TuneReport.h"
+#include "app/run/Batch.h"
 #include "app/run/DataPaths.h"
 #include "app/studies/StudyFolder.h"
 #include "sim2d/base/JsonText.h"
@@ -28,7 +28,7 @@ struct TuneWords {
   TuneOptions numbers;     // counts, seeds and limits
   double maxLoss = 5.0;    // [%]
   double timeLimit = 0.0;  // [s]; 0 = none
-  int jobs = 0;            // 0 = number of cores
+  int jobs = processorCount();
   bool allowCode = false, resume = false, force = false;
 };
 
@@ -124,21 +124,6 @@ class TuneStages {
   std::size_t planned_ = 0;
 };
 
-/// The command line without what does not change the results.
-std::vector<std::string> tuneCommandLine(const Invocation& given) {
-  std::vector<std::string> words = {"hunavsim"};
-  const std::vector<std::string> all = given.words();
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    if (all[k] == "-j" || all[k] == "--jobs") {
-      ++k;  // and its value
-    } else if (all[k] != "--resume" && all[k] != "--force" && all[k] != "-q" &&
-               all[k] != "--quiet" && all[k] != "--json" && !base::startsWith(all[k], "--jobs=")) {
-      words.push_back(all[k]);
-    }
-  }
-  return words;
-}
-
 /// One run per scenario, to find what would prevent the search.
 std::vector<RunRequest> firstRunsOf(const TuneOptions& options, const TuneSubject& subject) {
   std::vector<RunRequest> requests;
@@ -153,9 +138,7 @@ std::vector<RunRequest> firstRunsOf(const TuneOptions& options, const TuneSubjec
 std::unique_ptr<RunPool> openPool(const TuneWords& words, const StudyFolder& folder,
                                   TuneStages& stages) {
   RunPoolOptions options;
-  options.jobs = words.jobs > 0
-                     ? words.jobs
-                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.jobs = words.jobs;
   options.timeLimit = words.timeLimit > 0.0 ? words.timeLimit : options.timeLimit;
   options.allowCode = words.allowCode;
   options.loader = loadMapImage;
@@ -200,7 +183,7 @@ int tuneCommand(const TuneWords& words, const Invocation& given) {
       });
   requireFine(result.diagnostics(), wasInterrupted() ? ExitRunFailed : ExitBadInput);
   const report::TuneReport made = report::makeTuneReport(
-      options, subject, *result, {tunedName, tuneCommandLine(given), pool->inputs()});
+      options, subject, *result, {tunedName, given.wordsForResults(), pool->inputs()});
   std::vector<base::FileContent> files = {{tunedName, made.tuned},
                                           {"changes.diff", made.diff},
                                           {"report.html", made.html},
@@ -257,15 +240,8 @@ void addTuneRunOptions(CLI::App& command, TuneWords& words) {
         "nav2-tree", "nav2-distro", "set", "metrics-profile"}) {
     addRunOption(command, name, words.common);
   }
-  command
-      .add_option("-j,--jobs", words.jobs,
-                  "Number of parallel processes (default: number of cores); does not change the "
-                  "results")
-      ->check(CLI::Range(1, 1024));
-  command
-      .add_option("--time-limit", words.timeLimit,
-                  "Wall time after which a run counts as failed [s] (default: none)")
-      ->check(CLI::PositiveNumber);
+  addJobs(command, words.jobs);
+  addTimeLimit(command, words.timeLimit);
   addAllowCode(command, words.allowCode);
 }
 

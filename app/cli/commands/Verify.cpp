@@ -5,13 +5,13 @@
 #include <cmath>
 #include <optional>
 #include <random>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/Batch.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
@@ -26,7 +26,7 @@ struct VerifyCommandOptions {
   std::string sample = "5%";
   std::optional<std::size_t> runs;
   std::optional<std::uint64_t> seed;
-  int jobs = 0;  // 0 = number of cores
+  int jobs = processorCount();
   bool allowCode = false;
 };
 
@@ -111,13 +111,12 @@ void printVerification(const capsule::Verification& found, const VerifyCommandOp
 }
 
 int verifyCommand(const VerifyCommandOptions& options, const Invocation& given) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   capsule::VerifyOptions verify;
   verify.file = options.file;
   verify.share = *shareOf(options.sample);
   verify.runs = options.runs;
   verify.seed = options.seed ? *options.seed : std::random_device()();
-  verify.jobs = options.jobs > 0 ? options.jobs : cores;
+  verify.jobs = options.jobs;
   verify.allowCode = options.allowCode;
   verify.loader = loadMapImage;
   verify.stop = interruptStop();
@@ -159,10 +158,7 @@ void addVerify(CommandRegistry& commands) {
       ->excludes(sample);
   command.add_option("--seed", options.seed,
                      "Seed of the choice of runs (default: a random one, which is printed)");
-  command
-      .add_option("-j,--jobs", options.jobs,
-                  "Number of parallel processes (default: number of cores)")
-      ->check(CLI::Range(1, 1024));
+  addJobs(command, options.jobs);
   addAllowCode(command, options.allowCode);
   commands.addExamples(
       command,

@@ -1,5 +1,5 @@
-#include <thread>
 
+#include "app/run/Batch.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/RunSpec.h"
 #include "app/window/study/StudyPanel.h"
@@ -30,10 +30,6 @@ std::vector<ExternalCode> externalCodeOfStudy(const Experiment& experiment) {
     }
   }
   return all;
-}
-
-int cores() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 }  // namespace
@@ -104,7 +100,7 @@ void StudyPanel::start(StudyProcess::Begin begin) {
   runningExperiment_ = *checked;
   runningExperiment_->allowCode = !code.empty();
   runsSavedFile_ = false;
-  process_.start(file_, resultsFolder(), cores(), begin, runningExperiment_->allowCode);
+  process_.start(file_, resultsFolder(), processorCount(), begin, runningExperiment_->allowCode);
   showMessage(tr("Starting…"));
   updateControls();
 }
