@@ -1,4 +1,6 @@
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -57,6 +59,34 @@ class MadeUpCommandTest : public QObject {
                                });
                              }),
              int{app::ExitRunFailed});
+  }
+
+  void wordsForResults_leaveOutWhatDoesNotChangeThem() {
+    std::vector<std::string> texts = {"/usr/bin/hunavsim",
+                                      "tune",
+                                      "a.yaml",
+                                      "-j",
+                                      "4",
+                                      "-j8",
+                                      "--jobs",
+                                      "2",
+                                      "--jobs=3",
+                                      "--seeds",
+                                      "5",
+                                      "-q",
+                                      "--quiet",
+                                      "--json",
+                                      "--resume",
+                                      "--force",
+                                      "-o",
+                                      "out"};
+    std::vector<char*> words;
+    for (std::string& text : texts) {
+      words.push_back(text.data());
+    }
+    const app::Invocation given{static_cast<int>(words.size()), words.data()};
+    QCOMPARE(given.wordsForResults(),
+             (std::vector<std::string>{"hunavsim", "tune", "a.yaml", "--seeds", "5", "-o", "out"}));
   }
 
   void noCommand_doesTheDefault() {
