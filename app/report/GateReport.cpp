@@ -1,7 +1,6 @@
 #include "app/report/GateReport.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -210,10 +209,6 @@ std::string gateJUnit(const app::GateOptions& options, const app::GateResult& re
          "\n";
 }
 
-GateJson gateNumberJson(double value) {
-  return std::isfinite(value) ? GateJson(value) : GateJson();
-}
-
 GateJson gateMetricJson(const GateMetricResult& each) {
   const GateDifference difference = gateDifference(each);
   const bool isRate = each.metric.scale == app::GateMetric::Scale::Rate;
@@ -221,13 +216,13 @@ GateJson gateMetricJson(const GateMetricResult& each) {
           {"verdict", app::gateVerdictName(each.verdict)},
           {"measured", each.defined > 0},
           {"pairs", each.pairs},
-          {"base", gateNumberJson(each.baseMean)},
-          {"candidate", gateNumberJson(each.candidateMean)},
+          {"base", base::jsonNumber<GateJson>(each.baseMean)},
+          {"candidate", base::jsonNumber<GateJson>(each.candidateMean)},
           {"unit", isRate ? "share" : each.metric.unit},
           {"difference",
-           {{"mean", gateNumberJson(difference.mean)},
-            {"low", gateNumberJson(difference.interval.low)},
-            {"high", gateNumberJson(difference.interval.high)},
+           {{"mean", base::jsonNumber<GateJson>(difference.mean)},
+            {"low", base::jsonNumber<GateJson>(difference.interval.low)},
+            {"high", base::jsonNumber<GateJson>(difference.interval.high)},
             {"margin", difference.margin},
             {"unit", difference.unit}}}};
 }

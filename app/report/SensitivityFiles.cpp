@@ -13,10 +13,6 @@ namespace {
 
 using ReportJson = nlohmann::ordered_json;
 
-ReportJson indexJson(double value) {
-  return std::isfinite(value) ? ReportJson(value) : ReportJson();
-}
-
 std::string fieldText(double value) {
   return std::isfinite(value) ? base::formatDouble(value) : std::string();
 }
@@ -55,9 +51,9 @@ ReportJson factorsJson(const Study& study, const SensitivityResult& result) {
     ReportJson factor = {{"path", study.sensitivity->factors[order[place]].path},
                          {"rank", place + 1}};
     for (const auto& [name, value] : numbersOf(result, order[place])) {
-      factor[name] = indexJson(value);
+      factor[name] = base::jsonNumber<ReportJson>(value);
     }
-    factor["order_share"] = indexJson(orderShareAt(result, place));
+    factor["order_share"] = base::jsonNumber<ReportJson>(orderShareAt(result, place));
     factors.push_back(std::move(factor));
   }
   return factors;
@@ -79,9 +75,11 @@ ReportJson resultJson(const Study& study, const SensitivityAnalysis& analysis,
           {"case", analysis.cases[result.caseNumber]},
           {"varies", result.varies},
           {"undefined_points", result.undefined},
-          {"seed_share", indexJson(result.seedShare)},
+          {"seed_share", base::jsonNumber<ReportJson>(result.seedShare)},
           {"too_few_points",
-           {{"wide", wide}, {"unordered", unordered}, {"required", indexJson(few.required)}}},
+           {{"wide", wide},
+            {"unordered", unordered},
+            {"required", base::jsonNumber<ReportJson>(few.required)}}},
           {"factors", factorsJson(study, result)}};
 }
 

@@ -1,7 +1,6 @@
 #include "app/report/TuneReport.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -129,14 +128,13 @@ PageParts tuneParts(const app::TuneOptions& options, const app::TuneSubject& sub
   return parts;
 }
 
-TuneJson tuneNumber(double value) {
-  return std::isfinite(value) ? TuneJson(value) : TuneJson();
-}
-
 TuneJson differenceJson(const app::TuneDifference& of) {
-  return {{"before", tuneNumber(of.before)},         {"after", tuneNumber(of.after)},
-          {"difference", tuneNumber(of.difference)}, {"low", tuneNumber(of.interval.low)},
-          {"high", tuneNumber(of.interval.high)},    {"pairs", of.pairs}};
+  return {{"before", base::jsonNumber<TuneJson>(of.before)},
+          {"after", base::jsonNumber<TuneJson>(of.after)},
+          {"difference", base::jsonNumber<TuneJson>(of.difference)},
+          {"low", base::jsonNumber<TuneJson>(of.interval.low)},
+          {"high", base::jsonNumber<TuneJson>(of.interval.high)},
+          {"pairs", of.pairs}};
 }
 
 TuneJson evaluationJson(const app::TuneOptions& options, const app::TuneSubject& subject,
@@ -164,7 +162,7 @@ TuneJson evaluationJson(const app::TuneOptions& options, const app::TuneSubject&
   for (const app::TuneEffect& effect : result.effects) {
     TuneJson of = {{"parameter", subject.parameters()[effect.parameter].label()},
                    {"value", effect.value},
-                   {"score", tuneNumber(effect.total)},
+                   {"score", base::jsonNumber<TuneJson>(effect.total)},
                    {"kept", effect.isKept}};
     for (std::size_t k = 0; k < effect.differences.size(); ++k) {
       of[options.objectives[k].key] = differenceJson(effect.differences[k]);
@@ -179,14 +177,14 @@ TuneJson candidatesJson(const app::TuneOptions& options, const app::TuneResult& 
   for (const app::TuneCandidate& candidate : result.candidates) {
     TuneJson ratios = TuneJson::object();
     for (std::size_t k = 0; k < options.objectives.size(); ++k) {
-      ratios[options.objectives[k].key] = tuneNumber(candidate.score.ratios[k]);
+      ratios[options.objectives[k].key] = base::jsonNumber<TuneJson>(candidate.score.ratios[k]);
     }
     all.push_back({{"values", candidate.values},
                    {"generation", candidate.generation},
                    {"runs", candidate.runs},
-                   {"score", tuneNumber(candidate.score.total)},
+                   {"score", base::jsonNumber<TuneJson>(candidate.score.total)},
                    {"ratios", ratios},
-                   {"failures", tuneNumber(candidate.score.failures)},
+                   {"failures", base::jsonNumber<TuneJson>(candidate.score.failures)},
                    {"on_front", candidate.isOnFront}});
   }
   return all;

@@ -10,10 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json numberJson(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
 Json expectationsJson(const std::vector<ExpectationOutcome>& outcomes) {
   Json all = Json::array();
   for (const ExpectationOutcome& outcome : outcomes) {
@@ -27,9 +23,9 @@ Json expectationsJson(const std::vector<ExpectationOutcome>& outcomes) {
 Json armJson(const CertifiedArm& arm) {
   return {{"planner", arm.planner},
           {"runs", arm.runs},
-          {"mean", numberJson(arm.mean)},
-          {"low", numberJson(arm.interval.low)},
-          {"high", numberJson(arm.interval.high)}};
+          {"mean", base::jsonNumber<Json>(arm.mean)},
+          {"low", base::jsonNumber<Json>(arm.interval.low)},
+          {"high", base::jsonNumber<Json>(arm.interval.high)}};
 }
 
 Json metricsJson(const std::vector<CertifiedMetric>& metrics) {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studies/PathJson.h"
 #include "app/studies/WorkerTasks.h"
 #include "sim2d/base/JsonText.h"
 
@@ -83,31 +84,14 @@ std::optional<AvoidingAction> simulateAction(RunStepper& stepper, const sim2d::T
   return std::move(watcher.action());
 }
 
-TrialJson pathJson(const std::vector<base::Vec2>& path) {
-  TrialJson points = TrialJson::array();
-  for (const base::Vec2& point : path) {
-    points.push_back({point.x(), point.y()});
-  }
-  return points;
-}
-
-std::vector<base::Vec2> pathOf(const TrialJson& json) {
-  std::vector<base::Vec2> path;
-  path.reserve(json.size());
-  for (const TrialJson& point : json) {
-    path.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
-  }
-  return path;
-}
-
 TrialJson actionJson(const std::optional<AvoidingAction>& action) {
   if (!action) {
     return nullptr;
   }
   return {{"time", action->time},
           {"manoeuvre", action->manoeuvre},
-          {"robot", pathJson(action->robotPath)},
-          {"person", pathJson(action->personPath)}};
+          {"robot", pathJson<TrialJson>(action->robotPath)},
+          {"person", pathJson<TrialJson>(action->personPath)}};
 }
 
 std::optional<AvoidingAction> actionOf(const TrialJson& json) {
@@ -115,7 +99,7 @@ std::optional<AvoidingAction> actionOf(const TrialJson& json) {
     return std::nullopt;
   }
   return AvoidingAction{json.at("time").get<double>(), json.at("manoeuvre").get<std::string>(),
-                        pathOf(json.at("robot")), pathOf(json.at("person"))};
+                        pathOfJson(json.at("robot")), pathOfJson(json.at("person"))};
 }
 
 const auto kKeepWaiting = [] { return false; };

@@ -8,6 +8,7 @@
 
 #include "app/run/ManifestFiles.h"
 #include "app/studies/ContactReport.h"
+#include "app/studies/PathJson.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -45,22 +46,6 @@ std::optional<double> optionalNumberOf(const ReportJson& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
-ReportJson pointsJson(const std::vector<base::Vec2>& path) {
-  ReportJson points = ReportJson::array();
-  for (const base::Vec2& point : path) {
-    points.push_back({point.x(), point.y()});
-  }
-  return points;
-}
-
-std::vector<base::Vec2> pointsOf(const ReportJson& json) {
-  std::vector<base::Vec2> path;
-  for (const ReportJson& point : json) {
-    path.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
-  }
-  return path;
-}
-
 ReportJson sideJson(const std::optional<double>& sight, const std::optional<AvoidingAction>& action,
                     bool couldAvoid) {
   ReportJson json;
@@ -69,8 +54,8 @@ ReportJson sideJson(const std::optional<double>& sight, const std::optional<Avoi
   json["manoeuvre"] = action ? ReportJson(action->manoeuvre) : ReportJson();
   json["could_avoid"] = couldAvoid;
   if (action) {
-    json["robot_path"] = pointsJson(action->robotPath);
-    json["person_path"] = pointsJson(action->personPath);
+    json["robot_path"] = pathJson<ReportJson>(action->robotPath);
+    json["person_path"] = pathJson<ReportJson>(action->personPath);
   }
   return json;
 }
@@ -80,8 +65,8 @@ std::optional<AvoidingAction> sideActionOf(const ReportJson& json) {
     return std::nullopt;
   }
   return AvoidingAction{json.at("last_action").get<double>(),
-                        json.at("manoeuvre").get<std::string>(), pointsOf(json.at("robot_path")),
-                        pointsOf(json.at("person_path"))};
+                        json.at("manoeuvre").get<std::string>(), pathOfJson(json.at("robot_path")),
+                        pathOfJson(json.at("person_path"))};
 }
 
 ReportJson contactJson(const ReportedContact& reported, const ContactReport& report) {
@@ -149,8 +134,7 @@ constexpr EffectColumn kEffects[] = {{"detour", &metrics::PersonEffect::detour},
 ReportJson effectJson(const metrics::PersonEffect& effect, const ContactReport& report) {
   ReportJson json = {{"person", report.nameOf(effect.id)}, {"id", effect.id}};
   for (const EffectColumn& column : kEffects) {
-    const double value = effect.*column.member;
-    json[column.name] = std::isnan(value) ? ReportJson() : ReportJson(value);
+    json[column.name] = base::jsonNumber<ReportJson>(effect.*column.member);
   }
   return json;
 }

@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json finiteOrNull(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
 /// Where a run of the search comes from.
 Json runJson(const SearchStudy& study, std::size_t number) {
   const SearchedRun& run = study.result.runs[number];
@@ -32,15 +28,17 @@ Json runJson(const SearchStudy& study, std::size_t number) {
           {"reason", run.reason},
           {"simulated", run.simulated},
           {"kind", run.kind ? Json(run.kind->name()) : Json()},
-          {"value", finiteOrNull(run.value)},
-          {"fitness", finiteOrNull(run.fitness)}};
+          {"value", base::jsonNumber<Json>(run.value)},
+          {"fitness", base::jsonNumber<Json>(run.fitness)}};
 }
 
 Json cellsJson(const SearchStudy& study) {
   Json cells = Json::array();
   for (const auto& [cell, elite] : study.result.archive.elites()) {
-    Json entry = {{"cell", {cell[0], cell[1]}},
-                  {"descriptors", {finiteOrNull(elite.values[0]), finiteOrNull(elite.values[1])}}};
+    Json entry = {
+        {"cell", {cell[0], cell[1]}},
+        {"descriptors",
+         {base::jsonNumber<Json>(elite.values[0]), base::jsonNumber<Json>(elite.values[1])}}};
     entry.update(runJson(study, elite.run));
     cells.push_back(std::move(entry));
   }

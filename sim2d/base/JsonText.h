@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <exception>
 #include <new>
 #include <string>
@@ -14,6 +15,12 @@ namespace base {
 template <class Json>
 std::string jsonText(const Json& json, int indent = 2) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// A number; null if it is NaN or infinite, which JSON does not have.
+template <class Json>
+Json jsonNumber(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
 }
 
 /// The text of a JSON exception without its id: "[json.exception.out_of_range.403] key 'labels' not
