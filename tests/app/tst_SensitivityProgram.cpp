@@ -259,6 +259,9 @@ class SensitivityProgramTest : public QObject {
                         2, "needs values with a range"),
              QString());
     QCOMPARE(runProgram(words(out, {text("--method"), text("sobel")})).exitCode, 64);
+    QCOMPARE(unexpected(runProgram(words(out, {text("--metrics"), text("path_length,sucess")})), 64,
+                        "--metrics: error: unknown metric 'sucess' (did you mean 'success'?)"),
+             QString());
     QCOMPARE(runProgram(words(out, {text("--points"), text("1")})).exitCode, 64);
     QVERIFY(!QFile::exists(out));
   }

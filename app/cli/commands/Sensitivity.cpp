@@ -11,6 +11,7 @@
 #include "app/run/Batch.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/ExperimentRunner.h"
+#include "app/run/ResultRow.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -62,6 +63,25 @@ std::vector<std::string> commandOf(const SensitivityOptions& options, const Desi
   return words;
 }
 
+/// The metric keys of the command line. Ends the command if no run can have one of them.
+std::vector<std::string> analysedMetrics(const SensitivityOptions& options) {
+  std::vector<std::string> keys;
+  base::Diagnostics problems;
+  for (const std::string& word : base::split(options.metrics, ',')) {
+    const std::string key = base::trimmed(word);
+    if (key.empty()) {
+      continue;
+    }
+    if (!columnInfo(key)) {
+      problems.push_back(base::error("metrics.unknown-metric",
+                                     {key, base::nearestName(key, knownColumns())}, "--metrics"));
+    }
+    keys.push_back(key);
+  }
+  requireFine(problems, ExitWrongCommandLine);
+  return keys;
+}
+
 /// Executes the missing runs; the folder is complete afterwards.
 void executeDesign(const Experiment& experiment, const SensitivityOptions& options,
                    const Invocation& given) {
@@ -105,18 +125,14 @@ void printFindings(const report::Study& study, const report::SensitivityAnalysis
 }
 
 int sensitivityCommand(const SensitivityOptions& options, const Invocation& given) {
+  report::StudyOptions studyOptions = options.studyOptions;
+  studyOptions.metrics = analysedMetrics(options);
   const base::Result<Experiment> read =
       readSensitivityExperiment(options.experiment, requestOf(options));
   requireFine(read.diagnostics());
   Experiment experiment = *read;
   experiment.allowCode = options.allowCode;
   executeDesign(experiment, options, given);
-  report::StudyOptions studyOptions = options.studyOptions;
-  for (const std::string& key : base::split(options.metrics, ',')) {
-    if (!base::trimmed(key).empty()) {
-      studyOptions.metrics.push_back(base::trimmed(key));
-    }
-  }
   Progress progress(given.quiet || given.json);
   progress.show("calculating indices");
   const base::Result<report::Study> study = report::readStudy(studyOptions);

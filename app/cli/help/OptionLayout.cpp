@@ -137,6 +137,8 @@ constexpr OptionLayout kLayouts[] = {
     {"--output", "Output", "FILE.hnv", "pack"},
     {"--with-code", "Output", kByType, kAny},
     {"--output", "Output", "DIR", kAny},
+    {"--metrics", "Output", "KEY,…", "report"},
+    {"--metrics", "Output", "KEY,…", "sensitivity"},
     {"--metrics", "Output", "FILE|KEY,…", kAny},
     {"--metrics-profile", "Output", kByType, kAny},
     {"--record", "Output", "mcap", kAny},
