@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "app/run/Batch.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/Session.h"
+#include "app/run/WorkerTasks.h"
 #include "sim2d/base/Rng.h"
 
 namespace app {
@@ -95,9 +95,6 @@ sim2d::StepInputs pushesOf(const sim2d::Frame& frame, double spread, long long s
   return pushes;
 }
 
-/// Processes, each with the number of its future.
-using Working = std::vector<std::pair<WorkerProcess, int>>;
-
 Future brokenFuture(const FuturesOptions& options, int number, const std::string& why) {
   Future future;
   future.number = number;
@@ -106,27 +103,6 @@ Future brokenFuture(const FuturesOptions& options, int number, const std::string
   future.seed = static_cast<long long>(seed);  // round the last one
   future.failure = why;
   return future;
-}
-
-/// Waits a little for answers and tells them.
-void hearAll(Working& working, const FuturesOptions& options,
-             const std::function<void(const Future&)>& tell) {
-  std::vector<int> sockets;
-  for (const auto& each : working) {
-    sockets.push_back(each.first.descriptor());
-  }
-  for (const std::size_t k : waitForData(sockets)) {
-    std::string text;
-    const WorkerProcess::ReadResult heard = working[k].first.readMessage(text);
-    if (heard == WorkerProcess::ReadResult::Part) {
-      continue;
-    }
-    const int number = working[k].second;
-    const std::optional<Future> future =
-        heard == WorkerProcess::ReadResult::Answer ? futureOf(text) : std::nullopt;
-    tell(future ? *future : brokenFuture(options, number, "the process ended unexpectedly"));
-    working.erase(working.begin() + static_cast<std::ptrdiff_t>(k));
-  }
 }
 
 }  // namespace
@@ -166,27 +142,20 @@ base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
   if (!externalCodeOf(*bundle.scenario).empty()) {
     return {base::error("futures.foreign-code", {}, bundle.path)};
   }
-  Working working;
-  int next = 0;
-  while ((next < options.count || !working.empty()) && !wantsStop()) {
-    while (next < options.count && working.size() < static_cast<std::size_t>(options.jobs)) {
-      std::optional<WorkerProcess> process = WorkerProcess::start(
-          [&world, &bundle, &options, next](const std::string& /*go*/,
-                                            const WorkerProcess::SendMessage& /*tell*/) {
-            return futureText(simulateFuture(world, bundle, options, next));
-          });
-      if (!process) {
-        break;
-      }
-      process->sendRequest({});
-      working.emplace_back(*std::move(process), next++);
-    }
-    if (working.empty()) {
-      return {base::error("futures.no-process", {}, bundle.path)};
-    }
-    hearAll(working, options, tell);
-  }
-  return {};
+  WorkerTasks tasks;
+  tasks.count = static_cast<std::size_t>(std::max(0, options.count));
+  tasks.jobs = options.jobs;
+  tasks.work = [&](std::size_t task) {
+    return futureText(simulateFuture(world, bundle, options, static_cast<int>(task)));
+  };
+  tasks.take = [&](std::size_t task, const std::string& text) {
+    const std::optional<Future> future = futureOf(text);
+    tell(future ? *future
+                : brokenFuture(options, static_cast<int>(task), "the process ended unexpectedly"));
+  };
+  tasks.wantsStop = wantsStop;
+  return runTasks(tasks) ? base::Diagnostics()
+                         : base::Diagnostics{base::error("futures.no-process", {}, bundle.path)};
 }
 
 std::vector<ContactChance> contactChances(const std::vector<Future>& futures, double from,

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/WorkerTasks.h"
 #include "app/studies/PathJson.h"
-#include "app/studies/WorkerTasks.h"
 #include "sim2d/base/JsonText.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 
 #include "app/run/BatchFolder.h"
 #include "app/run/Experiment.h"
-#include "app/studies/WorkerTasks.h"
+#include "app/run/WorkerTasks.h"
 #include "sim2d/base/JsonText.h"
 
 namespace app {

@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "app/run/WorkerTasks.h"
 #include "app/studies/Manoeuvres.h"
 #include "app/studies/RunStepper.h"
-#include "app/studies/WorkerTasks.h"
 
 namespace app {
 

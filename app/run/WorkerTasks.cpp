@@ -1,4 +1,4 @@
-#include "app/studies/WorkerTasks.h"
+#include "app/run/WorkerTasks.h"
 
 #include <optional>
 #include <utility>
