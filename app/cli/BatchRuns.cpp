@@ -1,27 +1,14 @@
 #include "app/cli/BatchRuns.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 
 #include "app/cli/Console.h"
+#include "app/cli/RunProgress.h"
 #include "app/run/Batch.h"
-#include "sim2d/base/Text.h"
 
 namespace app {
 
 namespace {
-
-/// `atMost`: a stopping rule may end the batch earlier.
-std::string batchProgressText(std::size_t finished, std::size_t total, double rate, bool atMost) {
-  const char* const most = atMost ? "at most " : "";
-  std::string text = std::to_string(finished) + " / " + most + std::to_string(total) + " runs";
-  if (rate > 0.0) {
-    text += ", " + base::formatDecimals(std::round(rate * 10.0) / 10.0, 1) + " runs/s, " + most +
-            durationText(static_cast<double>(total - finished) / rate) + " left";
-  }
-  return text;
-}
 
 /// Executes the missing runs; with a stopping rule, those of more and more seeds until it is met.
 base::Diagnostics executeUntilEnough(const Experiment& experiment, BatchFolder& folder,
@@ -50,8 +37,7 @@ base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& ru
   const ResultStore& store = folder.store();
   const std::size_t total = store.study().shard.runCount(store.study().runs);
   const std::size_t before = store.finished();
-  const auto start = std::chrono::steady_clock::now();
-  Progress progress(options.quiet);
+  RunProgress progress(options.quiet, total, experiment.until.has_value());
   const auto printRow = [&](const StoredRun& run) { print(rowJson(store.study(), run) + "\n"); };
   std::optional<StoppingCheck> stopping;
   if (experiment.until) {
@@ -69,12 +55,7 @@ base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& ru
       return unreadable;
     }
   }
-  const auto show = [&] {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    const auto made = static_cast<double>(store.finished() - before);
-    progress.show(
-        batchProgressText(store.finished(), total, made / elapsed.count(), stopping.has_value()));
-  };
+  const auto show = [&] { progress.show(store.finished(), store.finished() - before); };
   show();
   BatchJob job;
   job.jobs = options.jobs;

@@ -155,9 +155,10 @@ base::StopFlagPtr interruptStop() {
 
 Progress::Progress(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
+void Progress::clear() {
   if (width_ > 0) {
     std::cerr << '\r' << std::string(width_, ' ') << '\r' << std::flush;
+    width_ = 0;
   }
 }
 

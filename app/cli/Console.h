@@ -40,7 +40,7 @@ base::StopFlagPtr interruptStop();
 class Progress {
  public:
   explicit Progress(bool quiet);
-  ~Progress();
+  ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   Progress(Progress&&) = delete;
@@ -49,6 +49,8 @@ class Progress {
   void show(const std::string& text);
   /// Whether the next show() would update the line; lets callers skip formatting the text.
   bool isDue() const;
+  /// Removes the line, before other output on the terminal. The next show() writes it again.
+  void clear();
 
  private:
   bool visible_;

@@ -247,7 +247,7 @@ base::Diagnostics RunPool::execute(const std::vector<std::pair<std::string, RunS
 
 void RunPool::showProgress() const {
   if (options_.showProgress) {
-    options_.showProgress(finished_, requested_);
+    options_.showProgress(finished_, executed_);
   }
 }
 

@@ -31,8 +31,9 @@ struct RunPoolOptions {
   sim2d::ImageLoader loader;        // reads map images other than PGM
   std::string journal;              // file that keeps the results; empty: none
   std::function<bool()> wantsStop;  // called often; empty: never
-  /// Runs with a result and all requested runs so far, those in the journal included. May be empty.
-  std::function<void(std::size_t finished, std::size_t requested)> showProgress;
+  /// Requested runs with a result, those in the journal included, and those of them that this pool
+  /// has executed. May be empty.
+  std::function<void(std::size_t finished, std::size_t executed)> showProgress;
 };
 
 /// Executes requested runs in worker processes (app/run/Batch.h) and keeps their results by the

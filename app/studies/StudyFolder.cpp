@@ -3,6 +3,10 @@
 #include <filesystem>
 #include <system_error>
 
+#include <nlohmann/json.hpp>
+
+#include "app/run/DataPaths.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -61,7 +65,7 @@ base::Diagnostics StudyFolder::prepareJournal(ExistingStudy earlier) const {
 }
 
 base::Diagnostics StudyFolder::finish(const std::vector<base::FileContent>& files,
-                                      const std::string& manifest) {
+                                      const std::string& kind) {
   base::Diagnostics problems;
   for (const base::FileContent& file : files) {
     base::append(problems, output_->write(file.path, file.content));
@@ -71,8 +75,12 @@ base::Diagnostics StudyFolder::finish(const std::vector<base::FileContent>& file
     base::append(problems, text.diagnostics());
     base::append(problems, text ? output_->write(kJournal, *text) : base::Diagnostics());
   }
-  return base::hasErrors(problems) ? problems
-                                   : output_->commit(manifest, OutputFolder::EarlierFiles::Removed);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  const nlohmann::ordered_json manifest = {
+      {"kind", kind}, {"program", {{"version", programVersion()}, {"commit", programCommit()}}}};
+  return output_->commit(base::jsonText(manifest), OutputFolder::EarlierFiles::Removed);
 }
 
 }  // namespace app

@@ -27,10 +27,9 @@ class StudyFolder {
                                                          ExistingStudy earlier);
 
   std::string journal() const;  // its path
-  /// Writes the files, the journal among them, and removes those of an earlier study. `manifest`: a
-  /// JSON object.
-  base::Diagnostics finish(const std::vector<base::FileContent>& files,
-                           const std::string& manifest);
+  /// Writes the files, the journal among them, and removes those of an earlier study. `kind`: the
+  /// command, for the manifest: "search".
+  base::Diagnostics finish(const std::vector<base::FileContent>& files, const std::string& kind);
 
  private:
   explicit StudyFolder(std::unique_ptr<OutputFolder> output) : output_(std::move(output)) {}

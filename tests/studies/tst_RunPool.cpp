@@ -143,9 +143,9 @@ class RunPoolTest : public QObject {
   void stop_keepsWhatHasEnded_andResumes() {
     std::size_t ended = 0;
     app::RunPoolOptions stopped = options();
-    stopped.showProgress = [&](std::size_t finished, std::size_t requested) {
+    stopped.showProgress = [&](std::size_t finished, std::size_t executed) {
       ended = finished;
-      QCOMPARE(requested, std::size_t{6});
+      QCOMPARE(executed, finished);
     };
     stopped.wantsStop = [&] { return ended >= 2; };
     {
@@ -153,10 +153,19 @@ class RunPoolTest : public QObject {
       const auto rows = (*pool)->run(someRequests(kCafe));
       QVERIFY(!rows);
       QCOMPARE(codeOf(rows.diagnostics()), std::string("study.stopped"));
+      QCOMPARE((*pool)->requested(), std::size_t{6});
     }
-    const auto resumed = app::RunPool::open(options());
+    std::size_t finished = 0, executed = 0;
+    app::RunPoolOptions again = options();
+    again.showProgress = [&](std::size_t ofAll, std::size_t now) {
+      finished = ofAll;
+      executed = now;
+    };
+    const auto resumed = app::RunPool::open(again);
     const auto rows = (*resumed)->run(someRequests(kCafe));
     QVERIFY((*resumed)->executed() <= 4);
+    QCOMPARE(executed, (*resumed)->executed());
+    QCOMPARE(finished, std::size_t{6});
     app::RunPoolOptions fresh = options();
     fresh.journal.clear();
     QCOMPARE(textsOf(*rows), textsOf(*(*app::RunPool::open(fresh))->run(someRequests(kCafe))));

@@ -1,6 +1,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "app/run/DataPaths.h"
 #include "app/studies/StudyFolder.h"
 #include "sim2d/base/Text.h"
 
@@ -41,15 +42,18 @@ class StudyFolderTest : public QObject {
       const auto study = StudyFolder::open(path, {"gate.json"}, ExistingStudy::Refuse);
       QVERIFY(study);
       writeContent((*study)->journal(), kHeader);
-      QVERIFY((*study)->finish({{"gate.json", "1"}, {"old.html", "2"}}, "{}").empty());
+      QVERIFY((*study)->finish({{"gate.json", "1"}, {"old.html", "2"}}, "gate").empty());
     }
     QCOMPARE(contentOf(path + "/gate.json"), std::string("1"));
+    const std::string manifest = contentOf(path + "/manifest.json");
+    QVERIFY(manifest.find("\"kind\": \"gate\"") != std::string::npos);
+    QVERIFY(manifest.find("\"version\": \"" + app::programVersion() + "\"") != std::string::npos);
     QCOMPARE(contentOf(path + "/journal.jsonl"), std::string(kHeader));
     {  // resumed: the journal stays; files that are not written again are removed
       const auto study = StudyFolder::open(path, {"gate.json"}, ExistingStudy::Resume);
       QVERIFY(study);
       QCOMPARE(contentOf((*study)->journal()), std::string(kHeader));
-      QVERIFY((*study)->finish({{"gate.json", "3"}}, "{}").empty());
+      QVERIFY((*study)->finish({{"gate.json", "3"}}, "gate").empty());
     }
     QCOMPARE(contentOf(path + "/gate.json"), std::string("3"));
     QCOMPARE(contentOf(path + "/old.html"), std::string("missing"));

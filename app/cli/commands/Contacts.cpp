@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -10,6 +8,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/PictureFiles.h"
+#include "app/cli/RunProgress.h"
 #include "app/report/AvoidanceFigure.h"
 #include "app/run/Batch.h"
 #include "app/run/ManifestFiles.h"
@@ -137,14 +136,16 @@ void printPlanners(const std::vector<ContactReport>& reports) {
 }
 
 /// The report of a run, and one picture per contact for its output.
-std::vector<ContactReport> contactsOfRun(const ContactsOptions& options, Progress& progress,
+std::vector<ContactReport> contactsOfRun(const ContactsOptions& options, bool quiet,
                                          std::vector<base::FileContent>& pictures) {
   const base::Result<RepeatableRun> run = repeatableRunOf(options.source, loadMapImage);
   requireFine(run.diagnostics());
   catchInterrupts();
+  Progress progress(quiet);
   base::Result<ContactReport> report =
       reportContacts(*run, options.report, wasInterrupted,
                      [&progress](const std::string& what) { progress.show(what); });
+  progress.clear();
   requireFine(report.diagnostics());
   report->run = options.source;
   if (!options.output.empty() && !report->contacts.empty()) {
@@ -161,18 +162,16 @@ std::vector<ContactReport> contactsOfRun(const ContactsOptions& options, Progres
   return {*std::move(report)};
 }
 
-std::vector<ContactReport> contactsOfBatch(const ContactsOptions& options, Progress& progress) {
+std::vector<ContactReport> contactsOfBatch(const ContactsOptions& options, bool quiet) {
   catchInterrupts();
-  const auto begin = std::chrono::steady_clock::now();
-  base::Result<std::vector<ContactReport>> reports = reportBatchContacts(
-      options.source, options.report, loadMapImage, wasInterrupted,
-      [&](std::size_t done, std::size_t all) {
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-        const double left = spent.count() * static_cast<double>(all - done) /
-                            static_cast<double>(std::max<std::size_t>(1, done));
-        progress.show(std::to_string(done) + " / " + std::to_string(all) + " runs, " +
-                      durationText(left) + " left");
-      });
+  RunProgress progress(quiet, 0, false);
+  base::Result<std::vector<ContactReport>> reports =
+      reportBatchContacts(options.source, options.report, loadMapImage, wasInterrupted,
+                          [&progress](std::size_t done, std::size_t all) {
+                            progress.setTotal(all);
+                            progress.show(done, done);
+                          });
+  progress.clear();
   requireFine(reports.diagnostics());
   return *std::move(reports);
 }
@@ -205,12 +204,9 @@ int contactsCommand(const ContactsOptions& given, const Invocation& invocation) 
   }
   const bool isBatch = isBatchFolder(options.source);
   std::vector<base::FileContent> pictures;
-  std::vector<ContactReport> reports;
-  {
-    Progress progress(invocation.quiet || invocation.json);
-    reports =
-        isBatch ? contactsOfBatch(options, progress) : contactsOfRun(options, progress, pictures);
-  }
+  const bool quiet = invocation.quiet || invocation.json;
+  const std::vector<ContactReport> reports =
+      isBatch ? contactsOfBatch(options, quiet) : contactsOfRun(options, quiet, pictures);
   if (!options.output.empty()) {
     writeContacts(options, reports, pictures);
   }

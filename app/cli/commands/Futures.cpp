@@ -98,6 +98,7 @@ std::vector<Future> futuresOf(RunReplay& replay, std::int64_t at, const FuturesW
   });
   base::Diagnostics trouble = isThere ? base::Diagnostics() : replay.problems(result);
   base::append(problems, trouble);
+  progress.clear();
   requireFine(problems);
   std::sort(futures.begin(), futures.end(),
             [](const Future& a, const Future& b) { return a.number < b.number; });

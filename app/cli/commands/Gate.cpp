@@ -1,17 +1,14 @@
 #include "app/studies/Gate.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/StudyRuns.h"
 #include "app/report/GateReport.h"
-#include "app/run/Batch.h"
 #include "app/studies/StudyFolder.h"
-#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -22,11 +19,10 @@ struct GateWords {
   std::string base, candidate, output;
   std::vector<std::string> scenarios, metrics;
   RunSpec common;
-  int jobs = processorCount();
+  StudyRunOptions runs;
   int seeds = 200;
   long long firstSeed = 1;
-  double level = 0.95, timeLimit = 0.0;  // [s]; 0 = none
-  bool allowCode = false, resume = false, force = false;
+  double level = 0.95;
 };
 
 const std::vector<std::string> kGateFiles = {"gate.html", "gate.md", "gate.xml", "gate.json"};
@@ -64,44 +60,23 @@ GateOptions gateOptionsOf(const GateWords& words) {
   options.scenarios = *scenarios;
   options.metrics = *metrics;
   options.common = words.common;
-  options.common.allowCode = words.allowCode;  // for the commands that play runs
+  options.common.allowCode = words.runs.allowCode;  // for the commands that play runs
   options.level = 1.0 - words.level;
   options.maxSeeds = words.seeds;
   options.firstSeed = words.firstSeed;
   return options;
 }
 
-/// Shows runs, speed, the longest time left, and the metrics that are still open.
-class GateProgress {
- public:
-  GateProgress(bool quiet, std::size_t most) : progress_(quiet), most_(most) {}
-
-  void showRuns(std::size_t finished) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    std::string text = std::to_string(finished) + " / at most " + std::to_string(most_) + " runs";
-    if (finished > 0 && elapsed.count() > 0.0) {
-      const double left =
-          elapsed.count() * (static_cast<double>(most_) / static_cast<double>(finished) - 1.0);
-      text += ", at most " + durationText(left) + " left";
+/// The metrics that are not decided, for the progress line.
+std::string openMetricsText(const GateTest& test) {
+  std::vector<std::string> names;
+  for (const GateMetricResult& each : test.metrics()) {
+    if (each.verdict == GateVerdict::Undecided) {
+      names.push_back(each.metric.label());
     }
-    progress_.show(text + (open_.empty() ? "" : ", open: " + open_));
   }
-  void setOpen(const GateTest& test) {
-    std::vector<std::string> names;
-    for (const GateMetricResult& each : test.metrics()) {
-      if (each.verdict == GateVerdict::Undecided) {
-        names.push_back(each.metric.label());
-      }
-    }
-    open_ = base::join(names, ", ");
-  }
-
- private:
-  Progress progress_;
-  const std::size_t most_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::string open_;
-};
+  return names.empty() ? std::string() : "open: " + base::join(names, ", ");
+}
 
 /// All runs of the first seed, to find what would prevent the gate.
 std::vector<RunRequest> firstRequests(const GateOptions& options) {
@@ -116,14 +91,16 @@ std::vector<RunRequest> firstRequests(const GateOptions& options) {
 
 /// Also the exit code when a stop was requested.
 GateResult runInPool(const GateWords& words, const GateOptions& options, RunPool& pool,
-                     GateProgress& progress) {
+                     RunProgress& progress) {
   const base::Diagnostics problems = pool.check(firstRequests(options));
   const bool isInFile = std::any_of(problems.begin(), problems.end(),
                                     [](const auto& each) { return !each.file.empty(); });
   requireFine(problems, isInFile ? ExitBadInput : ExitWrongCommandLine);
   catchInterrupts();
-  base::Result<GateResult> result =
-      runGate(options, pool, [&progress](const GateTest& test) { progress.setOpen(test); });
+  base::Result<GateResult> result = runGate(options, pool, [&progress](const GateTest& test) {
+    progress.setNote(openMetricsText(test));
+  });
+  progress.clear();
   const bool isStopped = wasInterrupted() && !result;
   if (isStopped && words.output.empty()) {
     requireFine({base::error("gate.stopped")}, ExitRunFailed);
@@ -154,34 +131,25 @@ int gateCommand(const GateWords& words, const Invocation& given) {
   const GateOptions options = gateOptionsOf(words);
   std::unique_ptr<StudyFolder> folder;
   if (!words.output.empty()) {
-    base::Result<std::unique_ptr<StudyFolder>> opened =
-        StudyFolder::open(words.output, kGateFiles, existingStudy(words.resume, words.force));
+    base::Result<std::unique_ptr<StudyFolder>> opened = StudyFolder::open(
+        words.output, kGateFiles, existingStudy(words.runs.resume, words.runs.force));
     requireFine(opened.diagnostics());
     folder = *std::move(opened);
   }
-  GateProgress progress(given.quiet || given.json,
-                        2 * options.scenarios.size() * static_cast<std::size_t>(options.maxSeeds));
-  RunPoolOptions poolOptions;
-  poolOptions.jobs = words.jobs;
-  poolOptions.timeLimit = words.timeLimit > 0.0 ? words.timeLimit : poolOptions.timeLimit;
-  poolOptions.allowCode = words.allowCode;
-  poolOptions.loader = loadMapImage;
-  poolOptions.journal = folder ? folder->journal() : std::string();
-  poolOptions.wantsStop = wasInterrupted;
-  poolOptions.showProgress = [&progress](std::size_t finished, std::size_t /*requested*/) {
-    progress.showRuns(finished);
-  };
-  base::Result<std::unique_ptr<RunPool>> pool = RunPool::open(std::move(poolOptions));
-  requireFine(pool.diagnostics());
-  const GateResult result = runInPool(words, options, **pool, progress);
+  RunProgress progress(given.quiet || given.json,
+                       2 * options.scenarios.size() * static_cast<std::size_t>(options.maxSeeds),
+                       true);
+  const std::unique_ptr<RunPool> pool =
+      openStudyPool(words.runs, folder ? folder->journal() : std::string(), progress);
+  const GateResult result = runInPool(words, options, *pool, progress);
   const report::GateReport report =
-      report::makeGateReport(options, result, given.wordsForResults(), (*pool)->inputs());
+      report::makeGateReport(options, result, given.wordsForResults(), pool->inputs());
   if (folder) {
     requireFine(folder->finish({{"gate.html", report.html},
                                 {"gate.md", report.markdown},
                                 {"gate.xml", report.junit},
                                 {"gate.json", report.json}},
-                               base::jsonText(nlohmann::ordered_json{{"kind", "gate"}})));
+                               "gate"));
   }
   printGate(report, result, given);
   return exitCodeOf(result.verdict);
@@ -199,9 +167,7 @@ void addGateRunOptions(CLI::App& command, GateWords& words) {
         "nav2-tree", "nav2-distro", "set", "metrics-profile"}) {
     addRunOption(command, name, words.common);
   }
-  addJobs(command, words.jobs);
-  addTimeLimit(command, words.timeLimit);
-  addAllowCode(command, words.allowCode);
+  addStudyRunOptions(command, words.runs, "gate");
 }
 
 }  // namespace
@@ -231,12 +197,6 @@ void addGate(CommandRegistry& commands) {
   addGateRunOptions(command, words);
   addOutputFolder(command, words.output,
                   "Folder for gate.html, gate.md, gate.xml (JUnit), gate.json and the journal");
-  CLI::Option* const resume = command.add_flag(
-      "--resume", words.resume, "Use the runs in the journal of an earlier gate in the folder");
-  command
-      .add_flag("--force", words.force,
-                "Start again after an interruption; overwrite files that hunavsim did not create")
-      ->excludes(resume);
   commands.addExamples(
       command,
       {{"hunavsim gate dwa mppi --scenarios crossing_agents doorway_agents --metric "

@@ -133,6 +133,7 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
   const base::Result<report::Report> report =
       study->sensitivity ? sensitivityReport(*study, words)
                          : report::makeReport(*study, studyOptions.weights, words, onProgress);
+  progress.clear();
   requireFine(report ? report->problems : report.diagnostics());
   const std::vector<base::FileContent> files = filesOf(*report, !options.noPdf);
   requireFine(writeReport(studyOptions.folder, files, options.force));

@@ -1,18 +1,12 @@
-#include <algorithm>
-#include <chrono>
-
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/StudyRuns.h"
 #include "app/report/SearchPage.h"
-#include "app/run/Batch.h"
-#include "app/run/DataPaths.h"
 #include "app/studies/SearchStudy.h"
 #include "app/studies/StudyFolder.h"
 #include "metrics/MetricRegistry.h"
-#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -24,9 +18,8 @@ struct SearchOptions {
   std::vector<std::string> descriptors;
   std::size_t runs = 500, failures = 1, shrinkRuns = 400;
   std::uint64_t seed = 1;
-  int jobs = processorCount();
-  double timeLimit = 0.0;  // [s]; 0 = none
-  bool untilFailure = false, allContacts = false, allowCode = false, resume = false, force = false;
+  StudyRunOptions run;
+  bool untilFailure = false, allContacts = false;
 };
 
 std::vector<std::string> metricKeys(bool withDirectionOnly) {
@@ -74,47 +67,6 @@ SearchPlan searchPlanOf(const SearchOptions& options) {
     plan.countsAgainstRobot = avoidabilityJudge(loadMapImage, wasInterrupted);
   }
   return plan;
-}
-
-/// Runs of the search, speed and longest time left; while shrinking, the number of the failure.
-class SearchProgress {
- public:
-  SearchProgress(bool quiet, std::size_t most) : progress_(quiet), most_(most) {}
-
-  void setPhase(const std::string& phase) { phase_ = phase; }
-  void showRuns(std::size_t finished) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    std::string text = phase_ + ": " + std::to_string(finished) + " runs";
-    if (finished > 0 && finished < most_ && elapsed.count() > 0.0) {
-      const double left =
-          elapsed.count() * (static_cast<double>(most_) / static_cast<double>(finished) - 1.0);
-      text += " of at most " + std::to_string(most_) + ", at most " + durationText(left) + " left";
-    }
-    progress_.show(text);
-  }
-
- private:
-  Progress progress_;
-  const std::size_t most_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::string phase_ = "searching";
-};
-
-std::unique_ptr<RunPool> openSearchPool(const SearchOptions& options, const StudyFolder& folder,
-                                        SearchProgress& progress) {
-  RunPoolOptions pool;
-  pool.jobs = options.jobs;
-  pool.timeLimit = options.timeLimit > 0.0 ? options.timeLimit : pool.timeLimit;
-  pool.allowCode = options.allowCode;
-  pool.loader = loadMapImage;
-  pool.journal = folder.journal();
-  pool.wantsStop = wasInterrupted;
-  pool.showProgress = [&progress](std::size_t finished, std::size_t /*requested*/) {
-    progress.showRuns(finished);
-  };
-  base::Result<std::unique_ptr<RunPool>> opened = RunPool::open(std::move(pool));
-  requireFine(opened.diagnostics());
-  return *std::move(opened);
 }
 
 /// The first run of each scenario, to find what would prevent the search.
@@ -192,44 +144,31 @@ int searchCommand(const SearchOptions& options, const Invocation& given) {
   const SearchPlan plan = searchPlanOf(options);
   base::Result<Experiment> experiment = readExperiment(options.experiment);
   requireFine(experiment.diagnostics());
-  experiment->allowCode = options.allowCode;
+  experiment->allowCode = options.run.allowCode;
   const SearchSpace space(*experiment);
   const base::Result<std::unique_ptr<StudyFolder>> folder =
       StudyFolder::open(options.output, {"archive.json", "runs.csv", "report.html"},
-                        existingStudy(options.resume, options.force));
+                        existingStudy(options.run.resume, options.run.force));
   requireFine(folder.diagnostics());
-  SearchProgress progress(given.quiet || given.json, options.runs);
-  const std::unique_ptr<RunPool> pool = openSearchPool(options, **folder, progress);
+  RunProgress progress(given.quiet || given.json, options.runs, true);
+  const std::unique_ptr<RunPool> pool = openStudyPool(options.run, (*folder)->journal(), progress);
   requireFine(pool->check(firstSearchRequests(*experiment, space)));
   catchInterrupts();
   SearchStudyOptions study;
   study.plan = plan;
   study.folder = options.output;
   study.loader = loadMapImage;
-  study.showPhase = [&progress](const std::string& phase) { progress.setPhase(phase); };
+  study.showPhase = [&progress](const std::string& phase) { progress.setStage(phase); };
   const base::Result<SearchStudy> made = runSearchStudy(
       *experiment, space, study,
       [&pool](const std::vector<RunRequest>& requests) { return pool->run(requests); });
+  progress.clear();
   requireFine(made.diagnostics(), wasInterrupted() ? ExitRunFailed : ExitBadInput);
-  const nlohmann::ordered_json manifest = {
-      {"kind", "search"}, {"version", programVersion()}, {"commit", programCommit()}};
-  requireFine((*folder)->finish(searchFiles(*made, options, given), base::jsonText(manifest)));
+  requireFine((*folder)->finish(searchFiles(*made, options, given), "search"));
   printSearch(*made, options, given);
   const base::Diagnostics problems = repetitionProblems(*made, options.output);
   printDiagnostics(problems);
   return problems.empty() ? ExitFine : ExitRunFailed;
-}
-
-void addSearchRunOptions(CLI::App& command, SearchOptions& options) {
-  addJobs(command, options.jobs);
-  addTimeLimit(command, options.timeLimit);
-  addAllowCode(command, options.allowCode);
-  CLI::Option* const resume = command.add_flag(
-      "--resume", options.resume, "Use the runs in the journal of an earlier search in the folder");
-  command
-      .add_flag("--force", options.force,
-                "Start again after an interruption; overwrite files that hunavsim did not create")
-      ->excludes(resume);
 }
 
 }  // namespace
@@ -266,7 +205,7 @@ void addSearch(CommandRegistry& commands) {
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--all-contacts", options.allContacts,
                    "Count contacts too that the robot could not have avoided since first sight");
-  addSearchRunOptions(command, options);
+  addStudyRunOptions(command, options.run, "search");
   addOutputFolder(command, options.output, "Output folder").required();
   commands.addExamples(
       command, {{"hunavsim search study.yaml --until-failure -o found",

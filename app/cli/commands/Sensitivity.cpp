@@ -138,6 +138,7 @@ int sensitivityCommand(const SensitivityOptions& options, const Invocation& give
   const base::Result<report::Study> study = report::readStudy(studyOptions);
   requireFine(study.diagnostics());
   const base::Result<report::SensitivityAnalysis> analysis = report::analyseSensitivity(*study);
+  progress.clear();
   requireFine(analysis.diagnostics());
   const report::Report report =
       report::makeSensitivityReport(*study, *analysis, commandOf(options, *experiment.design));

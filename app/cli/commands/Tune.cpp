@@ -1,19 +1,15 @@
 #include "app/studies/Tune.h"
 
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/StudyRuns.h"
 #include "app/report/TuneReport.h"
-#include "app/run/Batch.h"
 #include "app/run/DataPaths.h"
 #include "app/studies/StudyFolder.h"
-#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
 
@@ -25,11 +21,9 @@ struct TuneWords {
   std::string params, output, parameters;
   std::vector<std::string> scenarios, heldOut, objectives;
   RunSpec common;
-  TuneOptions numbers;     // counts, seeds and limits
-  double maxLoss = 5.0;    // [%]
-  double timeLimit = 0.0;  // [s]; 0 = none
-  int jobs = processorCount();
-  bool allowCode = false, resume = false, force = false;
+  TuneOptions numbers;   // counts, seeds and limits
+  double maxLoss = 5.0;  // [%]
+  StudyRunOptions runs;
 };
 
 /// Paths of scenarios; the names of shipped ones are known.
@@ -82,7 +76,7 @@ TuneSubject subjectOf(const TuneWords& words, const TuneOptions& options) {
       readTuningList(words.parameters.empty() ? shippedTuningList() : words.parameters);
   requireFine(list.diagnostics());
   RunSpec spec = words.common;
-  spec.allowCode = words.allowCode;
+  spec.allowCode = words.runs.allowCode;
   std::vector<std::string> keys(std::begin(kSuccessKeys), std::end(kSuccessKeys));
   for (const TuneObjective& objective : options.objectives) {
     keys.push_back(objective.key);
@@ -96,34 +90,6 @@ TuneSubject subjectOf(const TuneWords& words, const TuneOptions& options) {
   return *std::move(subject);
 }
 
-/// Shows the stage, runs, and the time left.
-class TuneStages {
- public:
-  explicit TuneStages(bool quiet) : progress_(quiet) {}
-
-  void setStage(const std::string& stage, std::size_t planned) {
-    stage_ = stage;
-    planned_ = planned;
-  }
-  void showRuns(std::size_t finished) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    std::string text = stage_ + ": " + std::to_string(finished) + " / at most " +
-                       std::to_string(planned_) + " runs";
-    if (finished > 0 && planned_ > finished) {
-      const double rate = static_cast<double>(finished) / elapsed.count();
-      text +=
-          ", at most " + durationText(static_cast<double>(planned_ - finished) / rate) + " left";
-    }
-    progress_.show(text);
-  }
-
- private:
-  Progress progress_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::string stage_;
-  std::size_t planned_ = 0;
-};
-
 /// One run per scenario, to find what would prevent the search.
 std::vector<RunRequest> firstRunsOf(const TuneOptions& options, const TuneSubject& subject) {
   std::vector<RunRequest> requests;
@@ -133,23 +99,6 @@ std::vector<RunRequest> firstRunsOf(const TuneOptions& options, const TuneSubjec
     }
   }
   return requests;
-}
-
-std::unique_ptr<RunPool> openPool(const TuneWords& words, const StudyFolder& folder,
-                                  TuneStages& stages) {
-  RunPoolOptions options;
-  options.jobs = words.jobs;
-  options.timeLimit = words.timeLimit > 0.0 ? words.timeLimit : options.timeLimit;
-  options.allowCode = words.allowCode;
-  options.loader = loadMapImage;
-  options.journal = folder.journal();
-  options.wantsStop = wasInterrupted;
-  options.showProgress = [&stages](std::size_t finished, std::size_t /*requested*/) {
-    stages.showRuns(finished);
-  };
-  base::Result<std::unique_ptr<RunPool>> pool = RunPool::open(std::move(options));
-  requireFine(pool.diagnostics());
-  return *std::move(pool);
 }
 
 void printTune(const report::TuneReport& made, const Invocation& given) {
@@ -171,16 +120,18 @@ int tuneCommand(const TuneWords& words, const Invocation& given) {
                                     : std::filesystem::path(subject.path()).filename().string();
   const base::Result<std::unique_ptr<StudyFolder>> folder =
       StudyFolder::open(words.output, {tunedName, "changes.diff", "report.html", "tune.json"},
-                        existingStudy(words.resume, words.force));
+                        existingStudy(words.runs.resume, words.runs.force));
   requireFine(folder.diagnostics());
-  TuneStages stages(given.quiet || given.json);
-  const std::unique_ptr<RunPool> pool = openPool(words, **folder, stages);
+  RunProgress progress(given.quiet || given.json, options.runs, true);
+  const std::unique_ptr<RunPool> pool = openStudyPool(words.runs, (*folder)->journal(), progress);
   requireFine(pool->check(firstRunsOf(options, subject)));
   catchInterrupts();
   const base::Result<TuneResult> result =
-      tune(options, subject, *pool, [&stages](const std::string& stage, std::size_t planned) {
-        stages.setStage(stage, planned);
+      tune(options, subject, *pool, [&progress](const std::string& stage, std::size_t planned) {
+        progress.setStage(stage);
+        progress.setTotal(planned);
       });
+  progress.clear();
   requireFine(result.diagnostics(), wasInterrupted() ? ExitRunFailed : ExitBadInput);
   const report::TuneReport made = report::makeTuneReport(
       options, subject, *result, {tunedName, given.wordsForResults(), pool->inputs()});
@@ -194,7 +145,7 @@ int tuneCommand(const TuneWords& words, const Invocation& given) {
   for (const report::Figure& figure : made.figures) {
     files.push_back({"figures/" + figure.name() + ".svg", figure.standalone()});
   }
-  requireFine((*folder)->finish(files, base::jsonText(nlohmann::ordered_json{{"kind", "tune"}})));
+  requireFine((*folder)->finish(files, "tune"));
   printTune(made, given);
   return ExitFine;
 }
@@ -240,9 +191,7 @@ void addTuneRunOptions(CLI::App& command, TuneWords& words) {
         "nav2-tree", "nav2-distro", "set", "metrics-profile"}) {
     addRunOption(command, name, words.common);
   }
-  addJobs(command, words.jobs);
-  addTimeLimit(command, words.timeLimit);
-  addAllowCode(command, words.allowCode);
+  addStudyRunOptions(command, words.runs, "search");
 }
 
 }  // namespace
@@ -273,12 +222,6 @@ void addTune(CommandRegistry& commands) {
   addOutputFolder(command, words.output,
                   "Folder for the tuned file, changes.diff, report.html, tune.json and the journal")
       .required();
-  CLI::Option* const resume = command.add_flag(
-      "--resume", words.resume, "Use the runs in the journal of an earlier search in the folder");
-  command
-      .add_flag("--force", words.force,
-                "Start again after an interruption; overwrite files that hunavsim did not create")
-      ->excludes(resume);
   commands.addExamples(
       command,
       {{"hunavsim tune nav2_params.yaml --scenarios crossing_agents doorway_agents -o tuned",
