@@ -181,6 +181,15 @@ void MetricRegistry::sort() {
                    [&](const MetricEntry& a, const MetricEntry& b) { return rank(a) < rank(b); });
 }
 
+std::vector<std::string> MetricRegistry::keys() const {
+  std::vector<std::string> keys;
+  keys.reserve(entries_.size());
+  for (const MetricEntry& entry : entries_) {
+    keys.push_back(entry.info.key);
+  }
+  return keys;
+}
+
 const MetricEntry* MetricRegistry::find(std::string_view key) const {
   return base::findIf(entries_, [key](const MetricEntry& entry) { return entry.info.key == key; });
 }

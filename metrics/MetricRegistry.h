@@ -119,6 +119,7 @@ class MetricRegistry {
   /// Orders HuNavSim's keys by number, followed by the others in insertion order.
   void sort();
   const std::vector<MetricEntry>& entries() const { return entries_; }
+  std::vector<std::string> keys() const;  // of all entries, in their order
   const MetricEntry* find(std::string_view key) const;
   /// The parameters that a metric depends on.
   std::vector<base::ParameterSpec> parametersOf(const MetricInfo& info) const;

@@ -26,14 +26,9 @@ const std::vector<std::string>& usualPlanners() {
 /// Paths of the scenarios: those given, or all shipped ones that have a card with metrics, except
 /// failures.
 std::vector<std::string> scenarioPaths(const std::vector<std::string>& files, bool all) {
-  std::vector<std::string> paths;
-  for (const std::string& file : files) {
-    const std::string path = scenarioFile(file);
-    if (const std::optional<base::Diagnostic> unknown = unknownScenario(path)) {
-      requireFine({*unknown});
-    }
-    paths.push_back(path);
-  }
+  const base::Result<std::vector<std::string>> given = scenarioFiles(files);
+  requireFine(given.diagnostics());
+  std::vector<std::string> paths = *given;
   if (all) {
     for (const ShippedScenario& shipped : shippedScenarios()) {
       const base::Result<std::string> text = base::readTextFile(shipped.path);

@@ -134,17 +134,6 @@ Experiment experimentOf(const std::vector<std::string>& paths, const std::string
   return experiment;
 }
 
-std::optional<double> fieldNumber(const std::string* field) {
-  if (field == nullptr || field->empty()) {
-    return std::nullopt;
-  }
-  if (*field == "True" || *field == "False") {
-    return *field == "True" ? 1.0 : 0.0;
-  }
-  const std::optional<double> value = base::parseDouble(*field);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
 bool isRate(const std::string& key) {
   return std::find(std::begin(kSuccessKeys), std::end(kSuccessKeys), key) != std::end(kSuccessKeys);
 }
@@ -153,7 +142,7 @@ CertifiedArm armOf(const std::string& planner, const std::string& key,
                    const std::vector<const ResultRow*>& rows) {
   statistics::Numbers values;
   for (const ResultRow* row : rows) {
-    if (const auto value = fieldNumber(fieldOf(*row, key))) {
+    if (const auto value = numberOf(*row, key); value && std::isfinite(*value)) {
       values.push_back(*value);
     }
   }

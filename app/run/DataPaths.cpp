@@ -151,6 +151,18 @@ std::optional<base::Diagnostic> unknownScenario(const std::string& word,
                      {base::nearestName(stem, names)}, word);
 }
 
+base::Result<std::vector<std::string>> scenarioFiles(const std::vector<std::string>& filesOrNames) {
+  std::vector<std::string> paths;
+  base::Diagnostics problems;
+  for (const std::string& given : filesOrNames) {
+    paths.push_back(scenarioFile(given));
+    if (std::optional<base::Diagnostic> unknown = unknownScenario(paths.back())) {
+      problems.push_back(*std::move(unknown));
+    }
+  }
+  return base::resultOf(std::move(paths), std::move(problems));
+}
+
 std::string programVersion() {
   return HUNAVSIM_VERSION;
 }

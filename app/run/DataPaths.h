@@ -53,6 +53,8 @@ std::optional<base::Diagnostic> unknownScenario(const std::string& word,
 /// The path of the shipped scenario of this name, unless a file of this name exists; otherwise
 /// `fileOrName`.
 std::string scenarioFile(const std::string& fileOrName);
+/// The same for several. Errors: those of unknownScenario(), for all of them.
+base::Result<std::vector<std::string>> scenarioFiles(const std::vector<std::string>& filesOrNames);
 
 std::string programPath();     // of the running executable
 std::string programVersion();  // of the project in CMakeLists.txt, for example "1.0.0"

@@ -91,6 +91,11 @@ std::string pathIn(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
+std::string absolutePath(const std::string& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).lexically_normal().string();
+}
+
 fs::file_status statusOf(const std::string& path) {
   std::error_code ignored;
   return fs::symlink_status(path, ignored);

@@ -30,6 +30,8 @@ bool isWithin(const std::string& name);
 
 /// The path of an entry of a folder.
 std::string pathIn(const std::string& folder, const std::string& name);
+/// The absolute path of a file without `.` and `..`; links are not resolved.
+std::string absolutePath(const std::string& path);
 /// The status of an entry itself, not of the target of a link. An inaccessible entry counts as
 /// missing.
 std::filesystem::file_status statusOf(const std::string& path);

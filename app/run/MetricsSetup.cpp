@@ -57,12 +57,8 @@ void addCardProblems(const sim2d::ScenarioCard& card, const std::string& scenari
     if (registry.find(key) != nullptr) {
       continue;
     }
-    std::vector<std::string> known;
-    for (const metrics::MetricEntry& entry : registry.entries()) {
-      known.push_back(entry.info.key);
-    }
-    base::Diagnostics one = {
-        base::error("card.unknown-metric", {key, base::nearestName(key, known)}, scenarioPath)};
+    base::Diagnostics one = {base::error(
+        "card.unknown-metric", {key, base::nearestName(key, registry.keys())}, scenarioPath)};
     sim2d::addKeyLocation(one, scenarioPath, {"hunavsim_desktop.ros__parameters.card.metrics"});
     base::append(problems, one);
   }

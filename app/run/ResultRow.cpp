@@ -125,10 +125,7 @@ std::optional<ColumnInfo> columnInfo(const std::string& column) {
 }
 
 std::vector<std::string> knownColumns() {
-  std::vector<std::string> keys;
-  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
-    keys.push_back(entry.info.key);
-  }
+  std::vector<std::string> keys = metrics::standardRegistry().keys();
   for (const EndColumn& column : endColumns()) {
     keys.emplace_back(column.key);
   }

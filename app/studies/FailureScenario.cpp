@@ -7,6 +7,7 @@
 #include "app/run/Batch.h"
 #include "app/run/BundleReader.h"
 #include "app/run/DataPaths.h"
+#include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -20,10 +21,10 @@ namespace fs = std::filesystem;
 
 /// The path of a file relative to the folder of another one.
 std::string pathFromScenario(const std::string& scenarioPath, const std::string& file) {
-  const fs::path folder = fs::absolute(fs::path(scenarioPath)).parent_path();
+  const fs::path folder = fs::path(absolutePath(scenarioPath)).parent_path();
   std::error_code none;
-  const fs::path relative = fs::relative(fs::absolute(file), folder, none);
-  return none || relative.empty() ? fs::absolute(file).string() : relative.string();
+  const fs::path relative = fs::relative(absolutePath(file), folder, none);
+  return none || relative.empty() ? absolutePath(file) : relative.string();
 }
 
 template <class T>
@@ -114,18 +115,11 @@ class Relocation {
   std::string from_, to_;
 };
 
-RunSpec repeatedSpecOf(const RunRequest& request) {
-  RunSpec spec = request.spec;
-  spec.scenario = request.scenario;
-  spec.seed = request.seed;
-  return spec;
-}
-
 }  // namespace
 
 base::Result<sim2d::Scenario> standaloneScenario(const RunRequest& request, const std::string& path,
                                                  const sim2d::ImageLoader& loader) {
-  const RunSpec spec = repeatedSpecOf(request);
+  const RunSpec spec = specOf(request);
   const base::Result<RunSettings> settings = runSettingsOf(spec);
   if (!settings) {
     return settings.diagnostics();

@@ -64,7 +64,7 @@ void GateTest::decide(std::size_t metric) {
   }
 }
 
-/// Metrics without any value have no say, unless there are no others.
+/// Metrics without any value are ignored, unless they were requested.
 GateVerdict GateTest::verdict() const {
   bool isOpen = false;
   bool hasPass = false;

@@ -27,11 +27,6 @@ bool isFile(const std::string& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-std::string absolutePath(const std::string& path) {
-  std::error_code ignored;
-  return fs::absolute(path, ignored).lexically_normal().string();
-}
-
 bool isYaml(const fs::path& path) {
   return path.extension() == ".yaml" || path.extension() == ".yml";
 }
@@ -228,19 +223,18 @@ base::Result<std::vector<GateScenario>> gateScenarios(const GateSide& base,
     base::Result<std::vector<GateScenario>> all = matchedScenarios(base, candidate);
     return all ? selectedScenarios(*std::move(all), named) : all;
   }
+  if (named.empty()) {
+    return base::error("gate.no-scenarios");
+  }
+  const base::Result<std::vector<std::string>> paths = scenarioFiles(named);
+  if (!paths) {
+    return paths.diagnostics();
+  }
   std::vector<GateScenario> found;
-  base::Diagnostics problems;
-  for (const std::string& word : named) {
-    const std::string path = scenarioFile(word);
-    if (std::optional<base::Diagnostic> problem = unknownScenario(path)) {
-      problems.push_back(*std::move(problem));
-    }
+  for (const std::string& path : *paths) {
     found.push_back({fs::path(path).stem().string(), path, path});
   }
-  if (found.empty()) {
-    problems.push_back(base::error("gate.no-scenarios"));
-  }
-  return base::resultOf(std::move(found), std::move(problems));
+  return found;
 }
 
 RunSpec specOfSide(const GateSide& side, RunSpec common, const std::string& scenario) {

@@ -56,14 +56,6 @@ const InputHash* changedInput(const ResultRow& row) {
   return nullptr;
 }
 
-RunSpec specOf(const RunRequest& request, bool allowCode) {
-  RunSpec spec = request.spec;
-  spec.scenario = request.scenario;
-  spec.seed = request.seed;
-  spec.allowCode = allowCode;
-  return spec;
-}
-
 /// The settings of a run; invalid ones are in the diagnostics.
 base::Result<RunSettings> poolSettingsOf(const RunSpec& spec) {
   base::Result<RunSettings> settings = runSettingsOf(spec);
@@ -74,6 +66,13 @@ base::Result<RunSettings> poolSettingsOf(const RunSpec& spec) {
 }
 
 }  // namespace
+
+RunSpec specOf(const RunRequest& request) {
+  RunSpec spec = request.spec;
+  spec.scenario = request.scenario;
+  spec.seed = request.seed;
+  return spec;
+}
 
 RunPool::RunPool(RunPoolOptions options) : options_(std::move(options)), reader_(options_.loader) {
   if (!options_.wantsStop) {
@@ -188,7 +187,8 @@ void RunPool::warmUp(const RunSpec& spec) {
 base::Diagnostics RunPool::check(const std::vector<RunRequest>& requests) {
   base::Diagnostics problems;
   for (const RunRequest& request : requests) {
-    const RunSpec spec = specOf(request, options_.allowCode);
+    RunSpec spec = specOf(request);
+    spec.allowCode = options_.allowCode;
     const base::Result<RunSettings> settings = poolSettingsOf(spec);
     base::append(problems, newDiagnostics(problems, settings.diagnostics()));
     if (!settings) {
@@ -255,7 +255,8 @@ base::Result<std::vector<ResultRow>> RunPool::run(const std::vector<RunRequest>&
   std::vector<std::string> keys;
   std::vector<std::pair<std::string, RunSpec>> missing;
   for (const RunRequest& request : requests) {
-    RunSpec spec = specOf(request, options_.allowCode);
+    RunSpec spec = specOf(request);
+    spec.allowCode = options_.allowCode;
     keys.push_back(keyOf(spec));
     if (requests_.insert(keys.back()).second) {
       ++requested_;

@@ -24,6 +24,9 @@ struct RunRequest {
   RunSpec spec;  // options of the run, `set` included; scenario and seed are taken from above
 };
 
+/// All options of the run.
+RunSpec specOf(const RunRequest& request);
+
 struct RunPoolOptions {
   int jobs = 1;                                                // maximum number of worker processes
   double timeLimit = std::numeric_limits<double>::infinity();  // of a run [s], wall-clock time

@@ -63,7 +63,7 @@ class FailureSaver {
 
  private:
   base::Result<SavedFailure> write(SavedFailure saved, const std::string& title) const {
-    const std::string path = fs::absolute(fs::path(options_.folder) / saved.file).string();
+    const std::string path = absolutePath(pathIn(options_.folder, saved.file));
     base::Result<sim2d::Scenario> scenario =
         standaloneScenario(saved.shrunk.request, path, options_.loader);
     if (!scenario) {
@@ -172,9 +172,7 @@ base::Result<SearchStudy> runSearchStudy(const Experiment& experiment, const Sea
 
 ContactJudge avoidabilityJudge(const sim2d::ImageLoader& loader, std::function<bool()> wantsStop) {
   return [loader, wantsStop = std::move(wantsStop)](const RunRequest& request) {
-    RunSpec spec = request.spec;
-    spec.scenario = request.scenario;
-    spec.seed = request.seed;
+    const RunSpec spec = specOf(request);
     const base::Result<RunSettings> settings = runSettingsOf(spec);
     if (!settings) {
       return base::Result<bool>(true);

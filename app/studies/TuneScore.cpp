@@ -17,14 +17,6 @@ constexpr double kLossWeight = 5.0;     // of a loss beyond the accepted one
 constexpr double kFailureWeight = 3.0;  // of additional failures
 constexpr double kUndefinedTime = 2.0;  // times the longer run
 
-std::vector<std::string> metricKeys() {
-  std::vector<std::string> keys;
-  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
-    keys.push_back(entry.info.key);
-  }
-  return keys;
-}
-
 double failureShare(const TuneOutcomes& outcomes, const std::vector<std::size_t>& runs) {
   const auto failed = std::count_if(runs.begin(), runs.end(),
                                     [&](std::size_t run) { return !outcomes[run].isSuccess; });
@@ -39,8 +31,9 @@ base::Result<TuneObjective> tuneObjective(const std::string& text) {
   objective.key = base::trimmed(text.substr(0, equals));
   const metrics::MetricEntry* const entry = metrics::standardRegistry().find(objective.key);
   if (entry == nullptr) {
-    return base::error("tune.unknown-objective",
-                       {objective.key, base::nearestName(objective.key, metricKeys())});
+    return base::error(
+        "tune.unknown-objective",
+        {objective.key, base::nearestName(objective.key, metrics::standardRegistry().keys())});
   }
   if (entry->info.better == metrics::Better::Neutral) {
     return base::error("tune.neutral-objective", {objective.key});

@@ -1,12 +1,11 @@
 #include "app/studies/TuneSubject.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <system_error>
 #include <utility>
 #include <variant>
 
+#include "app/run/ManifestFiles.h"
 #include "app/run/Nav2Robots.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
@@ -23,11 +22,6 @@ namespace {
 
 constexpr char kControllerServer[] = "controller_server";
 constexpr char kDesktopNode[] = "hunavsim_desktop";  // of scenario files
-
-std::string absoluteFile(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::absolute(path, ignored).lexically_normal().string();
-}
 
 const Nav2Parameter* parameterOf(const Nav2ParameterList& list, const std::string& node,
                                  const std::string& name) {
@@ -170,7 +164,7 @@ base::Result<TuneSubject> TuneSubject::open(const std::string& path, const Tunin
                                             const std::vector<std::string>& scenarios,
                                             RunSpec spec) {
   TuneSubject subject;
-  subject.path_ = absoluteFile(path);
+  subject.path_ = absolutePath(path);
   subject.spec_ = std::move(spec);
   const base::Result<std::string> text = base::readTextFile(path);
   if (!text) {

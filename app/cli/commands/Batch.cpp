@@ -11,6 +11,7 @@
 #include "app/run/BatchFolder.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ExperimentRunner.h"
+#include "app/run/ManifestFiles.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
@@ -48,15 +49,14 @@ std::string shardProblem(const std::string& text) {
   return shardOf(text) ? std::string() : "expected K/N with 1 <= K <= N, not '" + text + "'";
 }
 
-std::string absolute(const std::string& path) {
-  std::error_code ignored;
-  return fs::absolute(path, ignored).lexically_normal().string();
-}
-
 int printScript(const BatchOptions& options, const Invocation& given) {
-  const ClusterJob job{
-      programPath(),     absolute(options.experiment), absolute(options.output), options.chunks,
-      options.allowCode, options.retryFailed,          options.timeLimit};
+  const ClusterJob job{programPath(),
+                       absolutePath(options.experiment),
+                       absolutePath(options.output),
+                       options.chunks,
+                       options.allowCode,
+                       options.retryFailed,
+                       options.timeLimit};
   const std::string script = options.script == "slurm" ? slurmScript(job) : parallelScript(job);
   print(given.json
             ? base::jsonText(nlohmann::ordered_json{{"script", options.script}, {"text", script}}) +

@@ -15,7 +15,7 @@ namespace app {
 
 namespace {
 
-struct GateWords {
+struct GateArguments {
   std::string base, candidate, output;
   std::vector<std::string> scenarios, metrics;
   RunSpec common;
@@ -43,27 +43,27 @@ base::Result<std::vector<GateMetric>> metricsOf(const std::vector<std::string>& 
   return base::resultOf(std::move(metrics), std::move(problems));
 }
 
-GateOptions gateOptionsOf(const GateWords& words) {
+GateOptions gateOptionsOf(const GateArguments& arguments) {
   GateOptions options;
-  const base::Result<std::vector<GateMetric>> metrics = metricsOf(words.metrics);
+  const base::Result<std::vector<GateMetric>> metrics = metricsOf(arguments.metrics);
   requireFine(metrics.diagnostics(), ExitWrongCommandLine);
-  const base::Result<GateSide> base = gateSideOf(words.base);
-  const base::Result<GateSide> candidate = gateSideOf(words.candidate);
+  const base::Result<GateSide> base = gateSideOf(arguments.base);
+  const base::Result<GateSide> candidate = gateSideOf(arguments.candidate);
   base::Diagnostics problems = base.diagnostics();
   base::append(problems, candidate.diagnostics());
   requireFine(problems);
   const base::Result<std::vector<GateScenario>> scenarios =
-      gateScenarios(*base, *candidate, words.scenarios);
+      gateScenarios(*base, *candidate, arguments.scenarios);
   requireFine(scenarios.diagnostics());
   options.base = *base;
   options.candidate = *candidate;
   options.scenarios = *scenarios;
   options.metrics = *metrics;
-  options.common = words.common;
-  options.common.allowCode = words.runs.allowCode;  // for the commands that play runs
-  options.level = 1.0 - words.level;
-  options.maxSeeds = words.seeds;
-  options.firstSeed = words.firstSeed;
+  options.common = arguments.common;
+  options.common.allowCode = arguments.runs.allowCode;  // for the commands that play runs
+  options.level = 1.0 - arguments.level;
+  options.maxSeeds = arguments.seeds;
+  options.firstSeed = arguments.firstSeed;
   return options;
 }
 
@@ -90,7 +90,7 @@ std::vector<RunRequest> firstRequests(const GateOptions& options) {
 }
 
 /// Also the exit code when a stop was requested.
-GateResult runInPool(const GateWords& words, const GateOptions& options, RunPool& pool,
+GateResult runInPool(const GateArguments& arguments, const GateOptions& options, RunPool& pool,
                      RunProgress& progress) {
   const base::Diagnostics problems = pool.check(firstRequests(options));
   const bool isInFile = std::any_of(problems.begin(), problems.end(),
@@ -102,7 +102,7 @@ GateResult runInPool(const GateWords& words, const GateOptions& options, RunPool
   });
   progress.clear();
   const bool isStopped = wasInterrupted() && !result;
-  if (isStopped && words.output.empty()) {
+  if (isStopped && arguments.output.empty()) {
     requireFine({base::error("gate.stopped")}, ExitRunFailed);
   }
   requireFine(result.diagnostics(), isStopped ? ExitRunFailed : ExitBadInput);
@@ -127,12 +127,12 @@ void printGate(const report::GateReport& report, const GateResult& result,
   }
 }
 
-int gateCommand(const GateWords& words, const Invocation& given) {
-  const GateOptions options = gateOptionsOf(words);
+int gateCommand(const GateArguments& arguments, const Invocation& given) {
+  const GateOptions options = gateOptionsOf(arguments);
   std::unique_ptr<StudyFolder> folder;
-  if (!words.output.empty()) {
+  if (!arguments.output.empty()) {
     base::Result<std::unique_ptr<StudyFolder>> opened = StudyFolder::open(
-        words.output, kGateFiles, existingStudy(words.runs.resume, words.runs.force));
+        arguments.output, kGateFiles, existingStudy(arguments.runs.resume, arguments.runs.force));
     requireFine(opened.diagnostics());
     folder = *std::move(opened);
   }
@@ -140,8 +140,8 @@ int gateCommand(const GateWords& words, const Invocation& given) {
                        2 * options.scenarios.size() * static_cast<std::size_t>(options.maxSeeds),
                        true);
   const std::unique_ptr<RunPool> pool =
-      openStudyPool(words.runs, folder ? folder->journal() : std::string(), progress);
-  const GateResult result = runInPool(words, options, *pool, progress);
+      openStudyPool(arguments.runs, folder ? folder->journal() : std::string(), progress);
+  const GateResult result = runInPool(arguments, options, *pool, progress);
   const report::GateReport report =
       report::makeGateReport(options, result, given.wordsForResults(), pool->inputs());
   if (folder) {
@@ -155,47 +155,49 @@ int gateCommand(const GateWords& words, const Invocation& given) {
   return exitCodeOf(result.verdict);
 }
 
-void addGateRunOptions(CLI::App& command, GateWords& words) {
-  command.add_option("--seeds", words.seeds, "Largest number of seeds per scenario (default: 200)")
+void addGateRunOptions(CLI::App& command, GateArguments& arguments) {
+  command
+      .add_option("--seeds", arguments.seeds, "Largest number of seeds per scenario (default: 200)")
       ->check(CLI::Range(1, 100000));
   command
-      .add_option("--first-seed", words.firstSeed,
+      .add_option("--first-seed", arguments.firstSeed,
                   "First seed; each pair of runs has the next one (default: 1)")
       ->check(CLI::NonNegativeNumber);
   for (const char* name :
        {"duration", "stop-on-collision", "stuck-after", "model", "robot", "planner", "nav2-params",
         "nav2-tree", "nav2-distro", "set", "metrics-profile"}) {
-    addRunOption(command, name, words.common);
+    addRunOption(command, name, arguments.common);
   }
-  addStudyRunOptions(command, words.runs, "gate");
+  addStudyRunOptions(command, arguments.runs, "gate");
 }
 
 }  // namespace
 
 void addGate(CommandRegistry& commands) {
-  const auto [command, words] = commands.add(
+  const auto [command, arguments] = commands.add(
       "gate", "Test whether a candidate is not worse than a base, for build servers", gateCommand);
   const char* const kSides =
       ": parameter file, tree, planner, program, PATH=VALUE, scenario or folder of scenarios";
-  command.add_option("base", words.base, std::string("What is compared with") + kSides)->required();
-  command.add_option("candidate", words.candidate, std::string("What is tested") + kSides)
+  command.add_option("base", arguments.base, std::string("What is compared with") + kSides)
       ->required();
-  command.add_option("--scenarios", words.scenarios,
+  command.add_option("candidate", arguments.candidate, std::string("What is tested") + kSides)
+      ->required();
+  command.add_option("--scenarios", arguments.scenarios,
                      "Scenario files, or names from list scenarios (of compared folders: names in "
                      "them; default: all)");
   command
-      .add_option("--metric", words.metrics,
+      .add_option("--metric", arguments.metrics,
                   "KEY:MARGIN or KEY>NUMBER:MARGIN (share of runs above the number); margins with "
                   "% are points of a rate, otherwise relative; repeatable (default: success:5%, "
                   "time_to_reach_goal:5%, intimate_space_intrusions:2, "
                   "robot_on_person_collision>0:5%)")
       ->allow_extra_args(false);
   command
-      .add_option("--level", words.level,
+      .add_option("--level", arguments.level,
                   "One minus the probability of a wrong pass, and of a false alarm (default: 0.95)")
       ->check(CLI::Range(0.5, 0.999));
-  addGateRunOptions(command, words);
-  addOutputFolder(command, words.output,
+  addGateRunOptions(command, arguments);
+  addOutputFolder(command, arguments.output,
                   "Folder for gate.html, gate.md, gate.xml (JUnit), gate.json and the journal");
   commands.addExamples(
       command,

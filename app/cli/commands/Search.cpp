@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "app/cli/CommandRegistry.h"
@@ -22,13 +24,12 @@ struct SearchOptions {
   bool untilFailure = false, allContacts = false;
 };
 
-std::vector<std::string> metricKeys(bool withDirectionOnly) {
-  std::vector<std::string> keys;
-  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
-    if (!withDirectionOnly || worseDirection(entry.info.key) != 0) {
-      keys.push_back(entry.info.key);
-    }
-  }
+/// The metrics that can become worse.
+std::vector<std::string> directedMetrics() {
+  std::vector<std::string> keys = metrics::standardRegistry().keys();
+  keys.erase(std::remove_if(keys.begin(), keys.end(),
+                            [](const std::string& key) { return worseDirection(key) == 0; }),
+             keys.end());
   return keys;
 }
 
@@ -47,14 +48,15 @@ SearchPlan searchPlanOf(const SearchOptions& options) {
   if (!options.worst.empty() && worseDirection(options.worst) == 0) {
     problems.push_back(
         base::error("search.unknown-metric",
-                    {options.worst, base::nearestName(options.worst, metricKeys(true))}));
+                    {options.worst, base::nearestName(options.worst, directedMetrics())}));
   }
   for (std::size_t k = 0; k < options.descriptors.size(); ++k) {
     plan.descriptors[k] = *parseDescriptor(options.descriptors[k]);
     const std::string& key = plan.descriptors[k].key;
     if (metrics::standardRegistry().find(key) == nullptr) {
-      problems.push_back(base::error("search.unknown-descriptor",
-                                     {key, base::nearestName(key, metricKeys(false))}));
+      problems.push_back(
+          base::error("search.unknown-descriptor",
+                      {key, base::nearestName(key, metrics::standardRegistry().keys())}));
     }
   }
   requireFine(problems, ExitWrongCommandLine);

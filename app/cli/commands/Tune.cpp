@@ -17,7 +17,7 @@ namespace app {
 
 namespace {
 
-struct TuneWords {
+struct TuneArguments {
   std::string params, output, parameters;
   std::vector<std::string> scenarios, heldOut, objectives;
   RunSpec common;
@@ -26,19 +26,10 @@ struct TuneWords {
   StudyRunOptions runs;
 };
 
-/// Paths of scenarios; the names of shipped ones are known.
 std::vector<std::string> pathsOf(const std::vector<std::string>& names) {
-  std::vector<std::string> paths;
-  base::Diagnostics problems;
-  for (const std::string& name : names) {
-    const std::string path = scenarioFile(name);
-    if (const std::optional<base::Diagnostic> unknown = unknownScenario(path)) {
-      problems.push_back(*unknown);
-    }
-    paths.push_back(path);
-  }
-  requireFine(problems);
-  return paths;
+  base::Result<std::vector<std::string>> paths = scenarioFiles(names);
+  requireFine(paths.diagnostics());
+  return *std::move(paths);
 }
 
 std::vector<TuneObjective> objectivesOf(const std::vector<std::string>& texts) {
@@ -57,26 +48,27 @@ std::vector<TuneObjective> objectivesOf(const std::vector<std::string>& texts) {
   return objectives;
 }
 
-TuneOptions tuneOptionsOf(const TuneWords& words) {
-  TuneOptions options = words.numbers;
-  options.objectives = objectivesOf(words.objectives);
-  options.maxLoss = words.maxLoss / 100.0;
-  const base::Result<std::string> text = base::readTextFile(scenarioFile(words.params));
-  if (words.scenarios.empty() && text && sim2d::nav2::looksLikeNav2(*text)) {
-    requireFine({base::error("tune.no-scenarios", {}, words.params)}, ExitWrongCommandLine);
+TuneOptions tuneOptionsOf(const TuneArguments& arguments) {
+  TuneOptions options = arguments.numbers;
+  options.objectives = objectivesOf(arguments.objectives);
+  options.maxLoss = arguments.maxLoss / 100.0;
+  const base::Result<std::string> text = base::readTextFile(scenarioFile(arguments.params));
+  if (arguments.scenarios.empty() && text && sim2d::nav2::looksLikeNav2(*text)) {
+    requireFine({base::error("tune.no-scenarios", {}, arguments.params)}, ExitWrongCommandLine);
   }
   options.scenarios =
-      pathsOf(words.scenarios.empty() ? std::vector<std::string>{words.params} : words.scenarios);
-  options.heldOut = words.heldOut.empty() ? options.scenarios : pathsOf(words.heldOut);
+      pathsOf(arguments.scenarios.empty() ? std::vector<std::string>{arguments.params}
+                                          : arguments.scenarios);
+  options.heldOut = arguments.heldOut.empty() ? options.scenarios : pathsOf(arguments.heldOut);
   return options;
 }
 
-TuneSubject subjectOf(const TuneWords& words, const TuneOptions& options) {
+TuneSubject subjectOf(const TuneArguments& arguments, const TuneOptions& options) {
   const base::Result<TuningList> list =
-      readTuningList(words.parameters.empty() ? shippedTuningList() : words.parameters);
+      readTuningList(arguments.parameters.empty() ? shippedTuningList() : arguments.parameters);
   requireFine(list.diagnostics());
-  RunSpec spec = words.common;
-  spec.allowCode = words.runs.allowCode;
+  RunSpec spec = arguments.common;
+  spec.allowCode = arguments.runs.allowCode;
   std::vector<std::string> keys(std::begin(kSuccessKeys), std::end(kSuccessKeys));
   for (const TuneObjective& objective : options.objectives) {
     keys.push_back(objective.key);
@@ -85,7 +77,7 @@ TuneSubject subjectOf(const TuneWords& words, const TuneOptions& options) {
   std::vector<std::string> scenarios = options.scenarios;
   scenarios.insert(scenarios.end(), options.heldOut.begin(), options.heldOut.end());
   base::Result<TuneSubject> subject =
-      TuneSubject::open(scenarioFile(words.params), *list, scenarios, spec);
+      TuneSubject::open(scenarioFile(arguments.params), *list, scenarios, spec);
   requireFine(subject.diagnostics());
   return *std::move(subject);
 }
@@ -112,18 +104,19 @@ void printTune(const report::TuneReport& made, const Invocation& given) {
   printLine(made.headline);
 }
 
-int tuneCommand(const TuneWords& words, const Invocation& given) {
-  const TuneOptions options = tuneOptionsOf(words);
-  const TuneSubject subject = subjectOf(words, options);
+int tuneCommand(const TuneArguments& arguments, const Invocation& given) {
+  const TuneOptions options = tuneOptionsOf(arguments);
+  const TuneSubject subject = subjectOf(arguments, options);
   const std::string tunedName = subject.isNav2()
                                     ? "nav2_params.yaml"
                                     : std::filesystem::path(subject.path()).filename().string();
   const base::Result<std::unique_ptr<StudyFolder>> folder =
-      StudyFolder::open(words.output, {tunedName, "changes.diff", "report.html", "tune.json"},
-                        existingStudy(words.runs.resume, words.runs.force));
+      StudyFolder::open(arguments.output, {tunedName, "changes.diff", "report.html", "tune.json"},
+                        existingStudy(arguments.runs.resume, arguments.runs.force));
   requireFine(folder.diagnostics());
   RunProgress progress(given.quiet || given.json, options.runs, true);
-  const std::unique_ptr<RunPool> pool = openStudyPool(words.runs, (*folder)->journal(), progress);
+  const std::unique_ptr<RunPool> pool =
+      openStudyPool(arguments.runs, (*folder)->journal(), progress);
   requireFine(pool->check(firstRunsOf(options, subject)));
   catchInterrupts();
   const base::Result<TuneResult> result =
@@ -150,8 +143,8 @@ int tuneCommand(const TuneWords& words, const Invocation& given) {
   return ExitFine;
 }
 
-void addTuneSearchOptions(CLI::App& command, TuneWords& words) {
-  TuneOptions& numbers = words.numbers;
+void addTuneSearchOptions(CLI::App& command, TuneArguments& arguments) {
+  TuneOptions& numbers = arguments.numbers;
   command
       .add_option("--runs", numbers.runs,
                   "Limit of the runs of the search, without the evaluation (default: " +
@@ -172,7 +165,7 @@ void addTuneSearchOptions(CLI::App& command, TuneWords& words) {
                   "Largest number of changed parameters (default: 8)")
       ->check(CLI::Range(1, 1000));
   command
-      .add_option("--max-loss", words.maxLoss,
+      .add_option("--max-loss", arguments.maxLoss,
                   "Accepted loss of the other objective [%] (default: 5)")
       ->check(CLI::Range(0.0, 100.0));
   command
@@ -185,41 +178,41 @@ void addTuneSearchOptions(CLI::App& command, TuneWords& words) {
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}));
 }
 
-void addTuneRunOptions(CLI::App& command, TuneWords& words) {
+void addTuneRunOptions(CLI::App& command, TuneArguments& arguments) {
   for (const char* name :
        {"duration", "stop-on-collision", "stuck-after", "model", "robot", "planner", "nav2-body",
         "nav2-tree", "nav2-distro", "set", "metrics-profile"}) {
-    addRunOption(command, name, words.common);
+    addRunOption(command, name, arguments.common);
   }
-  addStudyRunOptions(command, words.runs, "search");
+  addStudyRunOptions(command, arguments.runs, "search");
 }
 
 }  // namespace
 
 void addTune(CommandRegistry& commands) {
-  const auto [command, words] =
+  const auto [command, arguments] =
       commands.add("tune", "Search better parameters of a Nav2 file or of a planner", tuneCommand);
   command
-      .add_option("params", words.params,
+      .add_option("params", arguments.params,
                   "Parameter file of Nav2; or a scenario, to tune the planner of its first robot")
       ->required();
-  command.add_option("--scenarios", words.scenarios,
+  command.add_option("--scenarios", arguments.scenarios,
                      "Scenario files, or names from list scenarios (default for a scenario: "
                      "itself)");
-  command.add_option("--held-out", words.heldOut,
+  command.add_option("--held-out", arguments.heldOut,
                      "Scenarios of the evaluation (default: those of the search, with other "
                      "seeds)");
   command
-      .add_option("--objective", words.objectives,
+      .add_option("--objective", arguments.objectives,
                   "KEY or KEY=WEIGHT of a metric (hunavsim list metrics); repeatable (default: "
                   "time_to_reach_goal and intimate_space_intrusions). Success is a constraint")
       ->allow_extra_args(false);
-  command.add_option("--parameters", words.parameters,
+  command.add_option("--parameters", arguments.parameters,
                      "List of the parameters with their ranges (default: resources/tuning/"
                      "parameters.yaml)");
-  addTuneSearchOptions(command, words);
-  addTuneRunOptions(command, words);
-  addOutputFolder(command, words.output,
+  addTuneSearchOptions(command, arguments);
+  addTuneRunOptions(command, arguments);
+  addOutputFolder(command, arguments.output,
                   "Folder for the tuned file, changes.diff, report.html, tune.json and the journal")
       .required();
   commands.addExamples(
