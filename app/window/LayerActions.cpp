@@ -78,6 +78,7 @@ QList<QAction*> WindowActions::togglesOf(const std::vector<Toggle>& rows) {
   for (const Toggle& row : rows) {
     QAction* action = make(tr(row.text), tr(row.tip), row.shortcut, row.icon);
     bindOption(*action, workspace_.scene(), row.option);
+    action->setIconVisibleInMenu(false);  // there it has a check mark
     optionOf_[action] = row.option;
     all << action;
     if (row.action != nullptr) {

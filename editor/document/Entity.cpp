@@ -135,6 +135,15 @@ const char* areaKindWord(sim2d::AreaKind kind) {
   return kWords[static_cast<int>(kind)];
 }
 
+/// The kind; of obstacles and areas the more exact one.
+const char* kindWord(const Entity& entity) {
+  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
+    return obstacleKindWord(obstacle->kind);
+  }
+  const auto* area = std::get_if<sim2d::Area>(&entity);
+  return area != nullptr ? areaKindWord(area->kind) : wordsOf(kindOf(entity)).one;
+}
+
 QString translatedWord(const char* word) {
   return QCoreApplication::translate("Entity", word);
 }
@@ -143,6 +152,10 @@ QString translatedWord(const char* word) {
 
 QString kindName(EntityKind kind) {
   return translatedWord(wordsOf(kind).one);
+}
+
+QString kindName(const Entity& entity) {
+  return translatedWord(kindWord(entity));
 }
 
 QString kindNamePlural(EntityKind kind) {
@@ -158,11 +171,7 @@ QString areaKindName(sim2d::AreaKind kind) {
 }
 
 std::string nameStem(const Entity& entity) {
-  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    return obstacleKindWord(obstacle->kind);
-  }
-  const auto* area = std::get_if<sim2d::Area>(&entity);
-  return area != nullptr ? areaKindWord(area->kind) : nameStem(kindOf(entity));
+  return kindWord(entity);
 }
 
 std::string nameStem(EntityKind kind) {

@@ -132,9 +132,11 @@ void MetricsTable::styleTree() {
   header->setFixedHeight(kListRowHeight);
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
-  header->resizeSection(NowColumn, kNowWidth);
-  header->resizeSection(UnitColumn, kMetricUnitWidth);
-  header->resizeSection(SparklineColumn, kSparklineWidth);
+  for (const auto& [column, width] :
+       {std::pair(NowColumn, kNowWidth), std::pair(UnitColumn, kMetricUnitWidth),
+        std::pair(SparklineColumn, kSparklineWidth)}) {
+    header->resizeSection(column, std::max(width, header->sectionSizeHint(column)));
+  }
   connect(header, &QHeaderView::sectionResized, tree_, [this](int column) {
     if (column == NameColumn) {
       tree_->doItemsLayout();

@@ -23,11 +23,7 @@ EntityId previewIdOf(EntityKind kind) {
 }
 
 void addDrawnEntity(ScenarioDocument& document, Entity value) {
-  const auto* obstacle = std::get_if<sim2d::Obstacle>(&value);
-  const auto* area = std::get_if<sim2d::Area>(&value);
-  const QString kind = obstacle != nullptr ? obstacleKindName(obstacle->kind)
-                       : area != nullptr   ? areaKindName(area->kind)
-                                           : kindName(kindOf(value));
+  const QString kind = kindName(value);
   setName(value, UniqueNames(document.scenario()).name(nameStem(value)));
   document.setSelection(
       pushAdd(document, std::vector<Entity>{std::move(value)}, QObject::tr("Add %1").arg(kind)));

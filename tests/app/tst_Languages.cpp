@@ -4,6 +4,7 @@
 #include "editor/document/PersonTree.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Fields.h"
+#include "editor/panels/MetricsTable.h"
 #include "tests/app/CutTexts.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/support/CommaLocale.h"
@@ -357,6 +358,25 @@ class LanguagesTest : public QObject {
       }
     });
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+    quiet::leave(window);
+  }
+
+  void headings_ofTheMetrics_areNotCut_data() { addLanguages(); }
+  void headings_ofTheMetrics_areNotCut() {
+    QFETCH(const QString, code);
+    const Translation translation(code);
+    std::unique_ptr<app::MainWindow> window = quiet::shownWindow();
+    QVERIFY(window->open(quiet::demoPath()));
+    window->docks().show({QStringLiteral("metrics")});
+    QCoreApplication::processEvents();
+    const auto* table = window->findChild<editor::MetricsTable*>();
+    QVERIFY(table != nullptr);
+    const QHeaderView& header = *table->tree().header();
+    for (int column = 0; column < header.count(); ++column) {
+      const QString title = header.model()->headerData(column, Qt::Horizontal).toString();
+      const int width = header.fontMetrics().horizontalAdvance(title);
+      QVERIFY2(header.sectionSize(column) > width, qPrintable(title));
+    }
     quiet::leave(window);
   }
 

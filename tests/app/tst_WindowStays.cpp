@@ -199,6 +199,14 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QVERIFY(!layers.isIconVisibleInMenu());  // its menu entry shows a check mark instead
   }
 
+  /// An icon would replace the check mark.
+  void checkableCommands_inMenus_haveNoIcons() {
+    const app::WindowActions& actions = window_->actions();
+    for (const QAction* each : actions.overlays + actions.layers + actions.snapping) {
+      QVERIFY2(!each->isIconVisibleInMenu(), qPrintable(each->text()));
+    }
+  }
+
   /// Closed panels say in the status bar how much there is in them.
   void panels_closed_areCountedInTheStatusBar() {
     QVERIFY(window_->open(quiet::demoPath()));

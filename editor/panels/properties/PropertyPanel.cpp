@@ -102,7 +102,8 @@ QString manualPageOf(EntityKind kind) {
   }
 }
 
-/// to the robot. Hidden without a run.
+/// The state of the selected person or robot in the run, and the distance of a person to the robot.
+/// Hidden without a run.
 class RunStateSection : public FormSection {
   Q_DECLARE_TR_FUNCTIONS(editor::RunStateSection)
  public:
@@ -128,7 +129,7 @@ class RunStateSection : public FormSection {
  private:
   /// Shows the values common to people and robots. Returns the row in the columns; none = not in
   /// the frame.
-  template <typename Columns>
+  template <typename Columns>  // lupdate takes "class" for a class with texts
   std::optional<std::size_t> showBody(const Columns& bodies, int id) {
     const auto found = std::find(bodies.id.begin(), bodies.id.end(), id);
     if (found == bodies.id.end()) {
