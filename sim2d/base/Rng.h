@@ -31,8 +31,8 @@ enum class DrawPurpose : std::uint32_t {
   DesignOrder = 17,   // agent = dimension, index = place in the permutation
   Optimizer = 18,     // of CMA-ES: agent = run, step = generation, index = point and coordinate
   Restart = 19,       // of CMA-ES: agent = run, index = coordinate of its first mean
-  Audit = 21,         // of runs that are repeated, index = place in the sample
   Search = 20,        // of a search for failures: step = number of the draw
+  Audit = 21,         // of runs that are repeated, index = place in the sample
 };
 
 class AgentRng {

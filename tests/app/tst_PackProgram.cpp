@@ -68,7 +68,7 @@ class PackProgramTest : public QObject {
     const QByteArray first = outside::bytesOf(path("a.hnv"));
     QCOMPARE(pack(path("results"), "a.hnv").exitCode, 0);
     QCOMPARE(outside::bytesOf(path("a.hnv")), first);
-    outside::writeText(path("a.hnv"), "of somebody else");
+    outside::writeText(path("a.hnv"), "not a capsule");
     QCOMPARE(pack(path("results"), "a.hnv").exitCode, 2);
     QCOMPARE(pack(path("results"), "a.hnv", {text("--force")}).exitCode, 0);
     QCOMPARE(outside::bytesOf(path("a.hnv")), first);

@@ -8,7 +8,7 @@ using namespace outside;
 
 namespace {
 
-/// A person of the original's model who feels nobody and walks across the way of the robot.
+/// A person without social forces (model of HuNavSim) whose path crosses that of the robot.
 QByteArray person(const char* name, int id, const char* pose, int goal) {
   return "    " + QByteArray(name) + ":\n      id: " + QByteArray::number(id) +
          "\n      group_id: -1\n      max_vel: 1.2\n      radius: 0.3\n      goal_radius: 0.3\n"

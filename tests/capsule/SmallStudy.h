@@ -115,8 +115,8 @@ class AlteredCapsule {
     return at >= 0;
   }
 
-  /// Lists the present hashes in manifest.json and SHA256SUMS, as somebody would who wants to hide
-  /// the change. `inner`: also in the manifests of the study and in the list of inputs.
+  /// Writes the present hashes to manifest.json and SHA256SUMS, which hides the change. `inner`:
+  /// also to the manifests of the study and the list of inputs.
   void rehash(bool inner) const {
     if (inner) {
       rehashFolder(root() + QLatin1String("/study"));

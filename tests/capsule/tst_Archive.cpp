@@ -43,7 +43,7 @@ void writeZip(const QString& path, const std::map<std::string, QByteArray>& file
 
 }  // namespace
 
-/// Archives that are written and read, and archives that somebody made to do harm.
+/// Writing and reading archives, and malicious archives.
 class ArchiveTest : public QObject {
   Q_OBJECT
 

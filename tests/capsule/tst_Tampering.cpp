@@ -141,7 +141,7 @@ void changeTrack(QList<QByteArray>& lines) {  // line 41: step 13 of the second 
 }
 
 const Tampering kTamperings[] = {
-    // Somebody who edits a file.
+    // A file is edited.
     {"digit in the results", Openly, NoRuns, editing(kResults, changeMetric), kResults, "SHA-256"},
     {"pixel of the map", Openly, NoRuns, flipping(kMap), kMap, "SHA-256 that manifest.json"},
     {"seed in the experiment", Openly, NoRuns, replacing(kExperiment, "[3, 7]", "[3, 8]"),
@@ -197,7 +197,7 @@ const Tampering kTamperings[] = {
      },
      kTrack, "SHA-256"},
 
-    // Somebody who also renews the checksums of the capsule.
+    // The checksums of the capsule are updated too.
     {"hidden: digit in the results", InCapsule, NoRuns, editing(kResults, changeMetric), kResults,
      "run 1: path_length is"},
     {"hidden: status of a run", InCapsule, NoRuns, editing(kResults, changeStatus), kResults,
@@ -231,7 +231,7 @@ const Tampering kTamperings[] = {
      "", "would be read from outside the capsule"},
     {"hidden: run folder taken away", InCapsule, AllRuns, removeRunFolder, kTrack, "missing"},
 
-    // Somebody who renews all checksums: only repeated runs tell.
+    // All checksums are updated: only repeated runs show the change.
     {"renewed: digit in both tables", Everywhere, AllRuns, changeBothTables, kResults,
      "run 1: path_length is 3.25, the repeated run has"},
     {"renewed: trajectory", Everywhere, AllRuns, editing(kTrack, changeTrack), kTrack,
