@@ -1,5 +1,6 @@
 #include "app/capsule/Texts.h"
 
+#include "app/report/Methods.h"
 #include "app/report/Page.h"
 #include "app/report/PlayerPage.h"
 #include "app/run/DataPaths.h"
@@ -30,21 +31,17 @@ The format is described in sim2d/scenario/FORMAT.md of the source code.
 
 /// The facts of a single run: there is nothing to compare.
 std::string runMethods(const StudySource& source) {
-  std::string facts;
-  const auto fact = [&facts](const std::string& name, const std::string& value) {
-    facts += report::element("dt", "", report::escaped(name)) +
-             report::element("dd", "", report::element("code", "", report::escaped(value))) + "\n";
-  };
-  fact("Run created by", "hunavsim " + source.version + " " + source.commit);
+  std::vector<report::Fact> facts = {
+      {"Run created by", "hunavsim " + source.version + " " + source.commit}};
   for (const SourceInput& input : source.inputs) {
-    fact(input.recorded.path, input.recorded.sha256);
+    report::addInputs({input.recorded}, facts);
   }
   const std::string body =
       report::element("h1", "", "A simulated run") + report::element("h2", "", "Methods") +
       report::paragraph(
           "The run was simulated with HuNavSim Desktop. All parameters, seeds and sampled values "
           "are listed in study/manifest.json; equal inputs, seed and program give equal files.") +
-      report::element("dl", "", facts);
+      report::provenanceMarkup(facts, {});
   return report::htmlPage("A simulated run", body, false);
 }
 

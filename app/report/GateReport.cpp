@@ -1,15 +1,14 @@
 #include "app/report/GateReport.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "app/report/GateTables.h"
-#include "app/report/PlayerPage.h"
+#include "app/report/Methods.h"
+#include "app/report/PageParts.h"
 #include "app/report/Plots.h"
 #include "app/report/Study.h"
-#include "app/run/DataPaths.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
@@ -68,12 +67,11 @@ std::string gateMethodText(const app::GateOptions& options, const app::GateResul
 /// Remarks on the validity of the result.
 std::vector<std::string> gateRemarks(const app::GateOptions& options,
                                      const app::GateResult& result) {
-  std::vector<std::string> remarks;
+  std::vector<std::string> constant;
   for (const std::size_t scenario : result.constantScenarios) {
-    remarks.push_back("In " + options.scenarios[scenario].name +
-                      " all seeds gave the same results of the base, so its pairs are not "
-                      "independent: make the runs depend on the seed (variation).");
+    constant.push_back(options.scenarios[scenario].name);
   }
+  std::vector<std::string> remarks = withoutSeedEffectRemarks(constant);
   const auto addFailures = [&remarks](std::size_t count, const char* of) {
     if (count > 0) {
       remarks.push_back(counted(count, "run") + " of the " + of +
@@ -85,49 +83,24 @@ std::vector<std::string> gateRemarks(const app::GateOptions& options,
   return remarks;
 }
 
-std::string gateFactsMarkup(const std::vector<std::string>& command,
-                            const std::vector<app::InputHash>& inputs) {
-  std::string facts;
-  const auto fact = [&facts](const std::string& name, const std::string& value) {
-    facts += element("dt", "", escaped(name)) +
-             element("dd", "", element("code", "", escaped(value))) + "\n";
-  };
-  fact("Created by", "hunavsim " + app::programVersion() + " " + app::programCommit());
-  for (const app::InputHash& input : inputs) {
-    fact(input.path, input.sha256);
-  }
-  return element("dl", "", "\n" + facts) + "\n" + element("pre", "", escaped(shellText(command))) +
-         "\n";
-}
-
 std::string gateHtml(const app::GateOptions& options, const app::GateResult& result,
-                     const std::vector<GateFinding>& findings, const std::string& headline,
-                     const std::string& facts) {
+                     const std::vector<GateFinding>& findings, const std::string& notes,
+                     const std::string& provenance) {
   constexpr std::size_t kMostRows = 200;
-  std::string notes =
-      element("p", " class=\"verdict\"", element("b", "", escaped(headline))) + "\n";
-  for (const std::string& remark : gateRemarks(options, result)) {
-    notes += paragraph(remark, " class=\"warning\"");
+  PageParts page;
+  page.section("metrics", "Metrics");
+  page.add(gateTable(result));
+  page.add(gateFigure(result));
+  page.section("pairs", "Pairs");
+  if (findings.empty()) {
+    page.body += paragraph("In no pair has only the candidate failed, and all metrics are passed.");
+  } else {
+    page.add(findingsTable(options, findings, kMostRows), "failures");
   }
-  const Figure figure = gateFigure(result);
-  std::string body = "<h2 id=\"metrics\">Metrics</h2>\n" + tableHtml(gateTable(result)) +
-                     "<figure>\n" + figure.markup() +
-                     element("figcaption", "", escaped(figure.caption)) + "\n</figure>\n";
-  body += "<h2 id=\"pairs\">Pairs</h2>\n";
-  body += findings.empty()
-              ? paragraph("In no pair has only the candidate failed, and all metrics are passed.")
-              : tableHtml(findingsTable(options, findings, kMostRows), "failures");
-  body += "<h2 id=\"methods\">Methods</h2>\n" + paragraph(gateMethodText(options, result)) + facts;
-  const std::string lead = options.candidate.text + " compared with " + options.base.text + ".";
-  const std::string links =
-      "<a href=\"#metrics\">Metrics</a> <a href=\"#pairs\">Pairs</a> "
-      "<a href=\"#methods\">Methods</a> ";
-  return htmlPage(
-      "Gate",
-      filled(kStudyText,
-             {{"title", "Gate"}, {"lead", escaped(lead)}, {"notes", notes}, {"links", links}}) +
-          body,
-      false);
+  page.section("methods", "Methods");
+  page.body += paragraph(gateMethodText(options, result)) + provenance;
+  return page.page("Gate", options.candidate.text + " compared with " + options.base.text + ".",
+                   notes);
 }
 
 std::string gateMarkdown(const app::GateOptions& options, const app::GateResult& result,
@@ -259,14 +232,6 @@ std::string gateJson(const app::GateOptions& options, const app::GateResult& res
   return base::jsonText(json) + "\n";
 }
 
-std::string withAsciiMinus(std::string text) {
-  constexpr std::string_view kMinus = "−";
-  for (std::size_t at = text.find(kMinus); at != std::string::npos; at = text.find(kMinus)) {
-    text.replace(at, kMinus.size(), "-");
-  }
-  return text;
-}
-
 }  // namespace
 
 GateReport makeGateReport(const app::GateOptions& options, const app::GateResult& result,
@@ -275,8 +240,9 @@ GateReport makeGateReport(const app::GateOptions& options, const app::GateResult
   const std::vector<GateFinding> findings = gateFindings(options, result);
   GateReport report;
   report.headline = gateHeadline(options, result);
-  report.html =
-      gateHtml(options, result, findings, report.headline, gateFactsMarkup(command, inputs));
+  report.html = gateHtml(options, result, findings,
+                         verdictNotes(report.headline, gateRemarks(options, result)),
+                         provenanceMarkup(inputs, command));
   report.markdown = gateMarkdown(options, result, findings, report.headline);
   report.junit = gateJUnit(options, result, findings, report.headline);
   report.json = gateJson(options, result, findings, inputs);

@@ -37,10 +37,6 @@ std::string gateValueText(const GateMetric& metric, double value, int decimals) 
                                                                : numberText(value, decimals);
 }
 
-std::string signedText(double value, int decimals) {
-  return (value > 0.0 ? "+" : "") + numberText(value, decimals);
-}
-
 std::string unitSuffix(const std::string& unit) {
   return unit.empty() || unit == "-" ? std::string() : " " + unit;
 }
@@ -135,9 +131,8 @@ Table gateTable(const app::GateResult& result) {
     const bool isMeasured = each.defined > 0;
     Table::Cell change{"–"};
     if (isMeasured) {
-      change.text = signedText(difference.mean, decimals) + unitSuffix(difference.unit);
-      change.below = "[" + signedText(difference.interval.low, decimals) + ", " +
-                     signedText(difference.interval.high, decimals) + "]";
+      change.text = signedNumberText(difference.mean, decimals) + unitSuffix(difference.unit);
+      change.below = intervalText(difference.interval, decimals);
     }
     Table::Cell verdict{isMeasured ? app::gateVerdictName(each.verdict) : "not measured"};
     verdict.bold = each.verdict == GateVerdict::Worse;
@@ -228,16 +223,11 @@ Table findingsTable(const app::GateOptions& options, const std::vector<GateFindi
     if (table.rows.size() >= most) {
       break;
     }
-    const auto command = [](const std::string& words) {
-      Table::Cell cell{words};
-      cell.markup = element("code", "", escaped(words));
-      return cell;
-    };
     table.rows.push_back({{options.scenarios[finding.pair->scenario].name},
                           {std::to_string(finding.pair->seed)},
                           {finding.what},
-                          command(finding.playCandidate),
-                          command(finding.playBase)});
+                          commandCell(finding.playCandidate),
+                          commandCell(finding.playBase)});
   }
   table.caption =
       "Pairs in which the candidate is worse: runs in which only the candidate has no "

@@ -159,6 +159,20 @@ std::string numberText(double value, int decimals) {
   return text[0] == '-' ? "−" + text.substr(1) : text;
 }
 
+std::string signedNumberText(double value, int decimals) {
+  return (value > 0.0 ? "+" : "") + numberText(value, decimals);
+}
+
+std::string intervalText(const statistics::Interval& interval, int decimals, double scale) {
+  return interval.isDefined() ? "[" + numberText(scale * interval.low, decimals) + ", " +
+                                    numberText(scale * interval.high, decimals) + "]"
+                              : std::string();
+}
+
+std::string withAsciiMinus(std::string_view text) {
+  return substituted(text, kAsciiMinus);
+}
+
 std::string plainNumber(double value, int decimals) {
   return std::isnan(value) ? std::string() : rounded(value, decimals);
 }
@@ -195,6 +209,18 @@ std::string filled(std::string_view pattern,
 
 std::string counted(std::size_t count, const std::string& word) {
   return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+Table::Cell numberCell(const std::string& text, double value) {
+  Table::Cell cell{text};
+  cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
+  return cell;
+}
+
+Table::Cell commandCell(const std::string& command, const std::string& button) {
+  Table::Cell cell{command};
+  cell.markup = button + element("code", "", escaped(command));
+  return cell;
 }
 
 std::string tableHtml(const Table& table, const std::string& htmlClass) {
@@ -334,8 +360,8 @@ std::string tableCsv(const Table& table) {
   for (const std::vector<Table::Cell>& row : table.rows) {
     rows.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) {
-      add(k, row[k].csv.empty() ? substituted(row[k].text, kAsciiMinus) : row[k].csv,
-          substituted(row[k].below, kAsciiMinus), row[k].note);
+      add(k, row[k].csv.empty() ? withAsciiMinus(row[k].text) : row[k].csv,
+          withAsciiMinus(row[k].below), row[k].note);
     }
   }
   return csvText(rows);

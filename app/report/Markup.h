@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "metrics/statistics/Summary.h"
+
 /// Helpers for HTML, XML, LaTeX and CSV text.
 namespace report {
 
@@ -19,6 +21,13 @@ std::string latexText(std::string_view text);
 /// Formats a number with exactly this many decimals and a typographic minus sign: "−1.50". NaN:
 /// "–".
 std::string numberText(double value, int decimals);
+/// As numberText, with a plus sign above 0: "+1.50".
+std::string signedNumberText(double value, int decimals);
+/// An interval: "[1.21, 1.80]"; empty if undefined. Its ends are multiplied by `scale` (100: shares
+/// in percent).
+std::string intervalText(const statistics::Interval& interval, int decimals, double scale = 1.0);
+/// Replaces typographic minus signs by ASCII ones.
+std::string withAsciiMinus(std::string_view text);
 /// As numberText with an ASCII minus, for files: "-1.50". NaN: empty.
 std::string plainNumber(double value, int decimals);
 std::string percentText(double share);  // "95 %"
@@ -57,6 +66,10 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
 };
+/// A cell with a number: sorted by its value, without a value last.
+Table::Cell numberCell(const std::string& text, double value);
+/// A cell with a command line; `button`: markup before it.
+Table::Cell commandCell(const std::string& command, const std::string& button = {});
 std::string tableHtml(const Table& table, const std::string& htmlClass = {});
 std::string tableLatex(const Table& table);  // booktabs
 /// A GitHub table: the caption in bold, then the rows; numbers are right-aligned.

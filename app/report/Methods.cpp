@@ -28,28 +28,50 @@ std::string seedsText(const Study& study) {
   return base::join(words, ", ");
 }
 
+std::string thisProgram() {
+  return "hunavsim " + app::programVersion() + " " + app::programCommit();
+}
+
 }  // namespace
 
-std::string factsMarkup(const Study& study) {
-  std::string facts;
-  const auto fact = [&facts](const std::string& name, const std::string& value) {
-    if (!value.empty()) {
-      facts += element("dt", "", escaped(name)) +
-               element("dd", "", element("code", "", escaped(value))) + "\n";
-    }
-  };
-  fact("Batch created by", study.version.empty()
-                               ? std::string("unknown (no manifest)")
-                               : "hunavsim " + study.version + " " + study.commit);
-  fact("Report created by", "hunavsim " + app::programVersion() + " " + app::programCommit());
-  fact("results.csv", study.resultsHash);
-  for (const Study::Input& input : study.inputs) {
-    fact(input.path, input.sha256);
+void addInputs(const std::vector<app::InputHash>& inputs, std::vector<Fact>& facts) {
+  for (const app::InputHash& input : inputs) {
+    facts.emplace_back(input.path, input.sha256);
   }
-  fact("Seeds", seedsText(study));
-  fact("Drawn per scenario and seed", base::join(study.drawn, ", "));
-  fact("Part of a study", study.shard.empty() ? "" : "shard " + study.shard);
-  return facts;
+}
+
+std::string provenanceMarkup(const std::vector<Fact>& facts, const std::string& commands) {
+  std::string list;
+  for (const auto& [name, value] : facts) {
+    if (!value.empty()) {
+      list += element("dt", "", escaped(name)) +
+              element("dd", "", element("code", "", escaped(value))) + "\n";
+    }
+  }
+  return element("dl", "", "\n" + list) + "\n" +
+         (commands.empty() ? std::string()
+                           : element("pre", "", element("code", "", escaped(commands))) + "\n");
+}
+
+std::string provenanceMarkup(const std::vector<app::InputHash>& inputs,
+                             const std::vector<std::string>& command) {
+  std::vector<Fact> facts = {{"Created by", thisProgram()}};
+  addInputs(inputs, facts);
+  return provenanceMarkup(facts, shellText(command));
+}
+
+std::string provenanceMarkup(const Study& study, const std::string& commands) {
+  std::vector<Fact> facts = {
+      {"Batch created by", study.version.empty()
+                               ? std::string("unknown (no manifest)")
+                               : "hunavsim " + study.version + " " + study.commit},
+      {"Report created by", thisProgram()},
+      {"results.csv", study.resultsHash}};
+  addInputs(study.inputs, facts);
+  facts.emplace_back("Seeds", seedsText(study));
+  facts.emplace_back("Drawn per scenario and seed", base::join(study.drawn, ", "));
+  facts.emplace_back("Part of a study", study.shard.empty() ? "" : "shard " + study.shard);
+  return provenanceMarkup(facts, commands);
 }
 
 }  // namespace report

@@ -27,12 +27,12 @@ std::string methodsMarkup(const Study& study, std::size_t blocks, std::size_t te
                           const std::vector<std::string>& command) {
   const std::string batch =
       study.inputs.empty() ? std::string() : shellText(study.batchCommand()) + "\n";
-  return filled(kMethodsText, {{"level", levelText(study.level)},
-                               {"resamples", std::to_string(study.resamples)},
-                               {"blocks", std::to_string(blocks)},
-                               {"tests", std::to_string(tests)},
-                               {"facts", factsMarkup(study)},
-                               {"commands", escaped(batch + shellText(command))}});
+  return filled(kMethodsText,
+                {{"level", levelText(study.level)},
+                 {"resamples", std::to_string(study.resamples)},
+                 {"blocks", std::to_string(blocks)},
+                 {"tests", std::to_string(tests)},
+                 {"provenance", provenanceMarkup(study, batch + shellText(command))}});
 }
 
 /// Creates the page of a study section by section.
@@ -86,8 +86,7 @@ class PageBuilder {
 
   void writePage() {
     parts_.report.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
-    parts_.report.html = htmlPage(
-        study_.title, parts_.head(study_.title, leadText(), notes_) + parts_.body, hasPlayer_);
+    parts_.report.html = parts_.page(study_.title, leadText(), notes_, hasPlayer_);
   }
 
   /// Finds the runs that ended with an error or without success.

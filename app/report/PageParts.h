@@ -15,9 +15,10 @@ class PageParts {
   void section(const std::string& id, const std::string& title);
   void add(const std::optional<Figure>& figure);
   void add(const std::optional<Table>& table, const std::string& htmlClass = {});
-  /// Title, a sentence below it, notes (markup) and links to the sections so far.
-  std::string head(const std::string& title, const std::string& lead,
-                   const std::string& notes) const;
+  /// The complete HTML page: title, a sentence below it, notes (markup), links to the sections,
+  /// body. `withPlayer`: with the player script.
+  std::string page(const std::string& title, const std::string& lead, const std::string& notes,
+                   bool withPlayer = false) const;
 
   std::string body;  // markup
   Report report;     // its figures and tables are those added
@@ -25,5 +26,10 @@ class PageParts {
  private:
   std::vector<std::pair<std::string, std::string>> sections_;  // id, title
 };
+
+/// Notes of a page: its verdict, then a warning each.
+std::string verdictNotes(const std::string& headline, const std::vector<std::string>& warnings);
+/// A remark on each of these scenarios: their runs have the same results with all seeds.
+std::vector<std::string> withoutSeedEffectRemarks(const std::vector<std::string>& scenarios);
 
 }  // namespace report

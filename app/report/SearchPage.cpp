@@ -7,9 +7,8 @@
 
 #include "app/report/Figure.h"
 #include "app/report/Markup.h"
+#include "app/report/Methods.h"
 #include "app/report/PageParts.h"
-#include "app/report/PlayerPage.h"
-#include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -52,7 +51,6 @@ Table foundFailuresTable(const SearchStudy& study, const std::string& folder) {
   for (const SavedFailure& failure : study.failures) {
     const app::ShrunkFailure& shrunk = failure.shrunk;
     const SearchedRun& run = study.result.runs[failure.run];
-    const std::string command = playFailureCommand(folder, failure);
     const std::string before = "of " + std::to_string(shrunk.peopleBefore);
     const double end = base::parseDouble(shrunk.row.simulated).value_or(std::nan(""));
     table.rows.push_back({{failure.kind.text(), shrunk.row.reason},
@@ -60,10 +58,10 @@ Table foundFailuresTable(const SearchStudy& study, const std::string& folder) {
                           {study.experiment->scenarios[study.space->scenarioOf(run.candidate)]},
                           {std::to_string(shrunk.request.seed)},
                           {std::to_string(shrunk.people), before},
-                          {numberText(end, 1)},
+                          numberCell(numberText(end, 1), end),
                           {remainingChangesText(failure)},
                           {failure.isRepeated ? "yes" : "no"},
-                          {command, {}, {}, {}, false, {}, element("code", "", escaped(command))}});
+                          commandCell(playFailureCommand(folder, failure))});
   }
   return table;
 }
@@ -180,18 +178,11 @@ void addWorstRun(const SearchStudy& study, const std::string& folder, PageParts&
       "\n";
 }
 
-std::string searchMethods(const std::vector<std::string>& command) {
-  std::vector<std::string> words;
-  std::transform(command.begin(), command.end(), std::back_inserter(words), base::shellWord);
-  return paragraph(
-             "Candidates: CMA-ES with restarts (Hansen, arXiv:1604.00772) and the improvement "
-             "emitter of CMA-ME (Fontaine et al. 2020, arXiv:1912.02400) over the continuous "
-             "values, in an archive of elites (Mouret & Clune 2015, arXiv:1504.04909). Failures "
-             "are shrunk by delta debugging (Zeller & Hildebrandt 2002).") +
-         element("p", "", element("code", "", escaped(base::join(words, " ")))) + "\n" +
-         paragraph("Created by hunavsim " + app::programVersion() + " " + app::programCommit() +
-                   ".");
-}
+constexpr const char* kSearchMethods =
+    "Candidates: CMA-ES with restarts (Hansen, arXiv:1604.00772) and the improvement emitter of "
+    "CMA-ME (Fontaine et al. 2020, arXiv:1912.02400) over the continuous values, in an archive of "
+    "elites (Mouret & Clune 2015, arXiv:1504.04909). Failures are shrunk by delta debugging "
+    "(Zeller & Hildebrandt 2002).";
 
 }  // namespace
 
@@ -214,8 +205,8 @@ std::string searchPage(const SearchStudy& study, const std::string& folder,
   page.section("course", "Course");
   page.add(courseFigure(study));
   page.section("methods", "Methods");
-  page.body += searchMethods(command);
-  return htmlPage(title, page.head(title, searchLeadText(study), {}) + page.body, false);
+  page.body += paragraph(kSearchMethods) + provenanceMarkup({}, command);
+  return page.page(title, searchLeadText(study), {});
 }
 
 }  // namespace report

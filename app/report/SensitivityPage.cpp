@@ -23,18 +23,10 @@ std::string pointsWord(const Study& study) {
   return isMorrisStudy(study) ? "trajectories" : "base points";
 }
 
-std::string numberOrDash(double value, int decimals) {
-  return std::isnan(value) ? "–" : numberText(value, decimals);
-}
-
 Cell valueCell(double value, const statistics::Interval& interval = {}) {
   const int decimals = std::isnan(value) ? 0 : decimalsFor(value, interval);
-  Cell cell{numberOrDash(value, decimals)};
-  if (interval.isDefined()) {
-    cell.below =
-        "[" + numberText(interval.low, decimals) + ", " + numberText(interval.high, decimals) + "]";
-  }
-  cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
+  Cell cell = numberCell(numberText(value, decimals), value);
+  cell.below = intervalText(interval, decimals);
   cell.csv = std::isnan(value) ? "" : base::formatDouble(value);
   return cell;
 }
@@ -127,7 +119,7 @@ Table overviewTable(const Study& study, const SensitivityAnalysis& analysis) {
     std::vector<Cell> row = {{names[f]}, {rangeText(study.sensitivity->factors[f])}};
     for (std::size_t m = 0; m < analysis.metrics.size(); ++m) {
       const double share = meanImportance(analysis, m, f);
-      Cell cell{isMorrisStudy(study) ? percentText(share) : numberOrDash(share, 2)};
+      Cell cell{isMorrisStudy(study) ? percentText(share) : numberText(share, 2)};
       cell.sort = base::formatDouble(share);
       cell.csv = base::formatDouble(share);
       cell.bold = share == largest[m];
@@ -222,8 +214,7 @@ class SensitivityPageBuilder {
     parts_.body += methods(command);
     parts_.report.moreFiles = {{"sensitivity.json", sensitivityJson(study_, analysis_)},
                                {"sensitivity.csv", sensitivityCsv(study_, analysis_)}};
-    parts_.report.html =
-        htmlPage("Sensitivity", parts_.head("Sensitivity", lead(), notes()) + parts_.body, false);
+    parts_.report.html = parts_.page("Sensitivity", lead(), notes());
     return std::move(parts_.report);
   }
 
@@ -279,8 +270,7 @@ class SensitivityPageBuilder {
                    {"seed", std::to_string(design.seed)},
                    {"level", levelText(study_.level)},
                    {"resamples", std::to_string(study_.resamples)},
-                   {"facts", factsMarkup(study_)},
-                   {"commands", escaped(shellText(command))}});
+                   {"provenance", provenanceMarkup(study_, shellText(command))}});
   }
 
   const Study& study_;

@@ -337,7 +337,7 @@ std::string Study::replayCommand(std::size_t run) const {
   }
   const Results::Run& row = results.runs[run];
   std::string scenario = row.scenario;
-  for (const Input& input : inputs) {  // the path on disk, if known
+  for (const app::InputHash& input : inputs) {  // the path on disk, if known
     const fs::path path(input.path);
     if (input.path == row.scenario || base::endsWith(input.path, "/" + row.scenario) ||
         path.stem().string() == row.scenario) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/run/Design.h"
+#include "app/run/ManifestFiles.h"
 #include "app/run/TreeCoverage.h"
 #include "sim2d/base/Result.h"
 
@@ -77,11 +78,8 @@ struct Study {
   int resamples = 2000;
 
   /// From manifest.json; empty if unknown.
-  struct Input {
-    std::string path, sha256;
-  };
   std::string version, commit, resultsHash;
-  std::vector<Input> inputs;
+  std::vector<app::InputHash> inputs;
   std::vector<std::string> drawn;  // value paths drawn per scenario and seed
   std::string shard;               // "1/3"; empty: complete study
   bool allowsCode = false;

@@ -40,15 +40,9 @@ std::string countNote(const Study& study, const Estimate& estimate, std::size_t 
              : std::string();
 }
 
-/// A formatted interval: "[1.21, 1.80]"; empty if undefined.
-std::string intervalText(const Metric& metric, const Interval& interval, int decimals) {
-  if (!interval.isDefined()) {
-    return {};
-  }
-  const double scale = metric.isRate ? 100.0 : 1.0;
-  const int places = metric.isRate ? 0 : decimals;
-  return "[" + numberText(scale * interval.low, places) + ", " +
-         numberText(scale * interval.high, places) + "]";
+/// The interval of a value of a metric, as estimateText(): "[1.21, 1.80]".
+std::string estimateInterval(const Metric& metric, const Interval& interval, int decimals) {
+  return metric.isRate ? intervalText(interval, 0, 100.0) : intervalText(interval, decimals);
 }
 
 Cell estimateCell(const Study& study, const MetricComparison& comparison, std::size_t option,
@@ -60,7 +54,7 @@ Cell estimateCell(const Study& study, const MetricComparison& comparison, std::s
   const int decimals = decimalsFor(value, interval);
   Cell cell;
   cell.text = estimateText(metric, value, decimals);
-  cell.below = intervalText(metric, interval, decimals);
+  cell.below = estimateInterval(metric, interval, decimals);
   cell.note = countNote(study, estimate, option);
   cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
   cell.bold = !median && comparison.isBestOrTied(option);
@@ -114,12 +108,6 @@ Cell pValueCell(double p, bool bold = false) {
   return cell;
 }
 
-Cell numberCell(const std::string& text, double value) {
-  Cell cell{text};
-  cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
-  return cell;
-}
-
 /// The cells with the metric and the options of a pair.
 std::vector<Cell> namesOfPair(const Study& study, const MetricComparison& comparison,
                               const PairResult& pair) {
@@ -134,7 +122,7 @@ void addTest(const Study& study, const MetricComparison& comparison, const PairT
   const int decimals = decimalsFor(test.shift, test.shiftInterval);
   const auto ties = static_cast<int>(test.differences.size()) - test.higher - test.lower;
   Cell shift = numberCell(estimateText(metric, test.shift, decimals), test.shift);
-  shift.below = intervalText(metric, test.shiftInterval, decimals);
+  shift.below = estimateInterval(metric, test.shiftInterval, decimals);
   row.push_back(numberCell(std::to_string(test.differences.size()),
                            static_cast<double>(test.differences.size())));
   row.push_back({std::to_string(test.higher) + " / " + std::to_string(ties) + " / " +
@@ -429,19 +417,19 @@ Table failuresTable(const Study& study, const std::vector<std::size_t>& failures
   for (const std::size_t run : failures) {
     const Results::Run& row = study.results.runs[run];
     const std::string command = study.replayCommand(run);
-    std::string markup = element("code", "", escaped(command));
+    std::string button;
     const auto place = std::find(played.begin(), played.end(), run);
     if (place != played.end()) {
       const std::string number = std::to_string(place - played.begin());
-      markup.insert(0, "<button type=\"button\" class=\"play\" data-replay=\"" + number +
-                           "\">Play</button> ");
+      button =
+          "<button type=\"button\" class=\"play\" data-replay=\"" + number + "\">Play</button> ";
     }
     table.rows.push_back({{std::to_string(row.number)},
                           {study.options[study.optionOf[run]]},
                           {study.cases[study.caseOf[run]]},
                           {std::to_string(row.seed)},
                           {study.outcomeText(run)},
-                          {command, {}, {}, {}, false, {}, markup}});
+                          commandCell(command, button)});
   }
   return table;
 }

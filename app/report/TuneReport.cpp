@@ -5,10 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/Methods.h"
 #include "app/report/PageParts.h"
-#include "app/report/PlayerPage.h"
-#include "app/report/Study.h"
-#include "app/run/DataPaths.h"
 #include "app/studies/UnifiedDiff.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -78,32 +76,14 @@ std::string tuneMethodText(const app::TuneOptions& options, const app::TuneResul
          percentText(options.maxLoss) + ", and successes are not fewer with 95 % confidence.";
 }
 
-std::string tuneFactsMarkup(const TuneContext& context) {
-  std::string facts;
-  const auto fact = [&facts](const std::string& name, const std::string& value) {
-    facts += element("dt", "", escaped(name)) +
-             element("dd", "", element("code", "", escaped(value))) + "\n";
-  };
-  fact("Created by", "hunavsim " + app::programVersion() + " " + app::programCommit());
-  for (const app::InputHash& input : context.inputs) {
-    fact(input.path, input.sha256);
-  }
-  return element("dl", "", "\n" + facts) + "\n" +
-         element("pre", "", escaped(shellText(context.command))) + "\n";
-}
-
-std::string tuneNotes(const app::TuneResult& result, const std::string& headline) {
-  std::string notes =
-      element("p", " class=\"verdict\"", element("b", "", escaped(headline))) + "\n";
+std::vector<std::string> tuneRemarks(const app::TuneResult& result) {
+  std::vector<std::string> constant;
   if (result.evaluation) {
     for (const std::string& scenario : result.evaluation->withoutSeedEffect) {
-      notes += paragraph("In " + std::filesystem::path(scenario).stem().string() +
-                             " all seeds gave the same results, so its pairs are not independent: "
-                             "make the runs depend on the seed (variation).",
-                         " class=\"warning\"");
+      constant.push_back(std::filesystem::path(scenario).stem().string());
     }
   }
-  return notes;
+  return withoutSeedEffectRemarks(constant);
 }
 
 PageParts tuneParts(const app::TuneOptions& options, const app::TuneSubject& subject,
@@ -124,7 +104,8 @@ PageParts tuneParts(const app::TuneOptions& options, const app::TuneSubject& sub
   parts.section("parameters", "Parameters");
   parts.add(tuneParametersTable(subject, result));
   parts.section("methods", "Methods");
-  parts.body += paragraph(tuneMethodText(options, result)) + tuneFactsMarkup(context);
+  parts.body += paragraph(tuneMethodText(options, result)) +
+                provenanceMarkup(context.inputs, context.command);
   return parts;
 }
 
@@ -236,11 +217,8 @@ TuneReport makeTuneReport(const app::TuneOptions& options, const app::TuneSubjec
   report.diff = app::unifiedDiff(subject.text(), chosen, name, context.outputName);
   report.tuned = result.verdict == TuneVerdict::Improved ? chosen : subject.text();
   const PageParts parts = tuneParts(options, subject, result, report, context);
-  report.html = htmlPage(
-      "Tuning",
-      parts.head("Tuning of " + name, subject.controller(), tuneNotes(result, report.headline)) +
-          parts.body,
-      false);
+  report.html = parts.page("Tuning of " + name, subject.controller(),
+                           verdictNotes(report.headline, tuneRemarks(result)));
   report.json = tuneJson(options, subject, result, context);
   report.tables = parts.report.tables;
   report.figures = parts.report.figures;

@@ -15,20 +15,9 @@ using app::TuneCandidate;
 using app::TuneDifference;
 using TuneCell = Table::Cell;
 
-std::string tuneIntervalText(const statistics::Interval& interval, int decimals,
-                             double scale = 1.0) {
-  return interval.isDefined() ? "[" + numberText(scale * interval.low, decimals) + ", " +
-                                    numberText(scale * interval.high, decimals) + "]"
-                              : std::string();
-}
-
-std::string signedNumber(double value, int decimals) {
-  return (value > 0.0 ? "+" : "") + numberText(value, decimals);
-}
-
 TuneCell differenceCell(const TuneDifference& of) {
   const int decimals = decimalsFor(of.difference, of.interval);
-  return {signedNumber(of.difference, decimals), tuneIntervalText(of.interval, decimals)};
+  return {signedNumberText(of.difference, decimals), intervalText(of.interval, decimals)};
 }
 
 TuneCell tuneValueCell(double value, const TuneDifference& of) {
@@ -40,8 +29,8 @@ TuneCell percentCell(double share) {
 }
 
 TuneCell ratePoints(const TuneDifference& of) {
-  return {signedNumber(100.0 * of.difference, 1) + " points",
-          tuneIntervalText(of.interval, 1, 100.0)};
+  return {signedNumberText(100.0 * of.difference, 1) + " points",
+          intervalText(of.interval, 1, 100.0)};
 }
 
 std::string titleOf(const app::TuneObjective& objective) {
@@ -58,7 +47,7 @@ double relativeSize(const TuneDifference& of) {
 
 TuneCell relativeCell(const TuneDifference& of) {
   const double size = relativeSize(of);
-  return {signedPercent(of.difference / size), tuneIntervalText(of.interval, 1, 100.0 / size)};
+  return {signedPercent(of.difference / size), intervalText(of.interval, 1, 100.0 / size)};
 }
 
 std::vector<TuneCell> objectiveRow(const std::string& title, const TuneDifference& of) {
@@ -73,7 +62,7 @@ std::vector<TuneCell> objectiveRow(const std::string& title, const TuneDifferenc
 }  // namespace
 
 std::string signedPercent(double share) {
-  return std::isnan(share) ? "–" : signedNumber(100.0 * share, 1) + " %";
+  return std::isnan(share) ? "–" : signedNumberText(100.0 * share, 1) + " %";
 }
 
 std::string relativeText(const TuneDifference& difference) {
