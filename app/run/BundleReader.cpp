@@ -7,6 +7,7 @@
 #include "app/run/PlannerFiles.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
+#include "app/run/TreeCoverage.h"
 
 namespace app {
 
@@ -45,7 +46,7 @@ const BundleReader::FileIndices& BundleReader::filesOf(const Bundle& bundle) {
   return used;
 }
 
-ResultRow measureRun(const Bundle& bundle) {
+ResultRow measureRun(const Bundle& bundle, bool keepsTrees) {
   Verdict verdict = check(bundle);
   if (!verdict.ok()) {
     base::Diagnostics all = verdict.wrongOptions;
@@ -57,9 +58,13 @@ ResultRow measureRun(const Bundle& bundle) {
   RunWriter writer({}, world, world.header(), verdict.metrics.selection, verdict.metrics.parameters,
                    bundle.routes);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
-  return rowOf(simulate(
+  ResultRow row = rowOf(simulate(
       session, world, verdict.scenarioMetrics, writer, [](const sim2d::Frame&) { return false; },
       PlanningClock::Off));
+  if (keepsTrees) {
+    row.trees = treeRowsOf(world.treeResults());
+  }
+  return row;
 }
 
 }  // namespace app

@@ -46,7 +46,7 @@ class BundleReader {
 };
 
 /// Runs the world of a bundle in memory and measures it; nothing is written. A run that cannot
-/// start is a failed row. The row has no inputs.
-ResultRow measureRun(const Bundle& bundle);
+/// start is a failed row. The row has no inputs, and trees only if it `keepsTrees`.
+ResultRow measureRun(const Bundle& bundle, bool keepsTrees = false);
 
 }  // namespace app

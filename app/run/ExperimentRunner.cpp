@@ -72,9 +72,10 @@ base::Result<ResultRow> ExperimentRunner::run(
   if (reportInputs) {
     reportInputs(reader_.withChanges(used));
   }
-  base::Result<ResultRow> row = experiment_.record == Record::Metrics
-                                    ? base::Result<ResultRow>(measureRun(bundle))
-                                    : runWithFiles(index, bundle);
+  base::Result<ResultRow> row =
+      experiment_.record == Record::Metrics
+          ? base::Result<ResultRow>(measureRun(bundle, experiment_.treeCoverage))
+          : runWithFiles(index, bundle);
   if (row) {
     row->inputs = reader_.withChanges(used);
   }

@@ -35,9 +35,11 @@ constexpr char kDistanceLeft[] = "distance_left";
 
 /// What the nodes of a behaviour tree returned in a run.
 struct TreeRow {
-  std::string owners;    // names of people and robots, separated by ", "
-  std::string paths;     // of the nodes as in trees.csv, separated by line ends
-  std::string returned;  // per node a hexadecimal digit: RUNNING 1, SUCCESS 2, FAILURE 4, SKIPPED 8
+  std::string owners;  // names of people and robots, separated by ", "
+  std::string paths;   // of the nodes as in trees.csv, separated by line ends
+  /// Per node a hexadecimal digit: RUNNING 1, SUCCESS 2, FAILURE 4, SKIPPED 8; or u: it returned
+  /// nothing and cannot, as the structure of the tree proves.
+  std::string returned;
 };
 
 /// The stored result of one batch run.

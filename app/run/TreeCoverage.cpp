@@ -18,6 +18,7 @@ namespace {
 using base::NodeStatus;
 
 constexpr char kHexDigits[] = "0123456789abcdef";
+constexpr char kUnreachable = 'u';  // in place of a digit
 constexpr const char* kCoverageColumns =
     "scenario,tree,owners,runs,node,executed,running,success,failure,skipped";
 
@@ -45,6 +46,17 @@ void addOwners(const std::string& more, std::string& owners) {
   }
 }
 
+/// The digit of each node, or the mark of nodes that are never executed.
+std::string returnedText(const base::TreeResults& results) {
+  std::string text;
+  for (std::size_t node = 0; node < results.returned.size(); ++node) {
+    const char digit = digitOf(results.returned[node]);
+    const bool isUnreachable = results.unreachable && (*results.unreachable)[node];
+    text += isUnreachable && digit == kHexDigits[0] ? kUnreachable : digit;
+  }
+  return text;
+}
+
 void addRun(const TreeRow& row, CoveredTree& tree) {
   ++tree.runs;
   addOwners(row.owners, tree.owners);
@@ -56,13 +68,29 @@ void addRun(const TreeRow& row, CoveredTree& tree) {
     node.success += count(NodeStatus::Success);
     node.failure += count(NodeStatus::Failure);
     node.skipped += count(NodeStatus::Skipped);
-    const bool isExecuted =
-        count(NodeStatus::Running) + count(NodeStatus::Success) + count(NodeStatus::Failure) > 0;
-    node.executed += isExecuted ? 1 : 0;
+    node.executed += isExecuted(row.returned[k]) ? 1 : 0;
+    node.isUnreachable = node.isUnreachable && row.returned[k] == kUnreachable;
   }
 }
 
+CoveredTree newTree(const std::string& scenario, const TreeRow& row) {
+  CoveredTree tree;
+  tree.scenario = scenario;
+  for (const std::string& path : base::split(row.paths, '\n')) {
+    CoveredNode& node = tree.nodes.emplace_back();
+    node.path = path;
+    node.isUnreachable = true;  // until a run says otherwise
+  }
+  return tree;
+}
+
 }  // namespace
+
+bool isExecuted(char returned) {
+  const base::StatusSet set = setOf(returned);
+  return base::contains(set, NodeStatus::Running) || base::contains(set, NodeStatus::Success) ||
+         base::contains(set, NodeStatus::Failure);
+}
 
 std::size_t CoveredTree::executedNodes() const {
   return static_cast<std::size_t>(std::count_if(
@@ -86,28 +114,30 @@ std::vector<TreeRow> treeRowsOf(const std::vector<base::TreeResults>& results) {
     TreeRow& row = rows.emplace_back();
     row.owners = owners[k];
     row.paths = base::join(*merged[k].paths, "\n");
-    std::transform(merged[k].returned.begin(), merged[k].returned.end(),
-                   std::back_inserter(row.returned), digitOf);
+    row.returned = returnedText(merged[k]);
   }
   return rows;
 }
 
-base::Result<std::vector<CoveredTree>> treeCoverageOf(const ResultStore& store) {
-  std::vector<CoveredTree> trees;
-  std::map<std::pair<std::string, std::string>, std::size_t> places;  // by scenario and paths
-  base::Diagnostics problems = store.forEach([&](const StoredRun& run) {
-    for (const TreeRow& row : run.row.trees) {
-      const auto [place, isNew] = places.emplace(std::pair(run.scenario, row.paths), trees.size());
-      if (isNew) {
-        trees.push_back({run.scenario, {}, 0, {}});
-        for (const std::string& path : base::split(row.paths, '\n')) {
-          trees.back().nodes.push_back({path});
-        }
-      }
-      addRun(row, trees[place->second]);
+std::vector<std::size_t> TreeCoverage::add(const std::string& scenario,
+                                           const std::vector<TreeRow>& rows) {
+  std::vector<std::size_t> indices;
+  for (const TreeRow& row : rows) {
+    const auto [place, isNew] = places_.emplace(std::pair(scenario, row.paths), trees_.size());
+    if (isNew) {
+      trees_.push_back(newTree(scenario, row));
     }
-  });
-  return base::resultOf(std::move(trees), std::move(problems));
+    addRun(row, trees_[place->second]);
+    indices.push_back(place->second);
+  }
+  return indices;
+}
+
+base::Result<std::vector<CoveredTree>> treeCoverageOf(const ResultStore& store) {
+  TreeCoverage coverage;
+  base::Diagnostics problems =
+      store.forEach([&](const StoredRun& run) { coverage.add(run.scenario, run.row.trees); });
+  return base::resultOf(std::vector<CoveredTree>(coverage.trees()), std::move(problems));
 }
 
 std::string treeCoverageCsv(const std::vector<CoveredTree>& trees) {

@@ -171,6 +171,9 @@ std::string RunPool::keyOf(const RunSpec& spec) const {
   if (std::isfinite(options_.timeLimit)) {
     content.push_back(base::formatDouble(options_.timeLimit));
   }
+  if (options_.keepsTrees) {
+    content.push_back("tree_coverage");
+  }
   return sha256Of(base::jsonText(content, -1));
 }
 
@@ -230,7 +233,7 @@ base::Diagnostics RunPool::execute(const std::vector<std::pair<std::string, RunS
     BundleReader::FileIndices used;
     const Bundle bundle = reader_.read(spec, *settings, used);
     reportInputs(reader_.withChanges(used));
-    ResultRow row = measureRun(bundle);
+    ResultRow row = measureRun(bundle, options_.keepsTrees);
     row.inputs = reader_.withChanges(used);
     return row;
   };

@@ -31,6 +31,7 @@ struct RunPoolOptions {
   int jobs = 1;                                                // maximum number of worker processes
   double timeLimit = std::numeric_limits<double>::infinity();  // of a run [s], wall-clock time
   bool allowCode = false;           // external programs and libraries of scenarios may start
+  bool keepsTrees = false;          // rows have the results of behaviour trees (ResultRow::trees)
   sim2d::ImageLoader loader;        // reads map images other than PGM
   std::string journal;              // file that keeps the results; empty: none
   std::function<bool()> wantsStop;  // called often; empty: never

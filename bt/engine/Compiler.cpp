@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt/engine/Reachability.h"
 #include "bt/engine/Ticker.h"
 #include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeXml.h"
@@ -190,6 +191,7 @@ void Compiler::moveIntoProgram() {
     program_->scopes_ = scopes_.take();
   }
   program_->paths_ = std::make_shared<const std::vector<std::string>>(std::move(paths_));
+  program_->unreachable_ = std::make_shared<const std::vector<bool>>(unreachableNodes(*program_));
 }
 
 base::Result<std::shared_ptr<const Program>> Compiler::run(const CompileOptions& options) {

@@ -100,6 +100,8 @@ class Program {
   /// Paths from the root, one per node: "MainFallback/SetGoals/RunOnce[2]/SetGoal". Shared, so that
   /// a recorder can keep them without the program.
   const std::shared_ptr<const std::vector<std::string>>& paths() const { return paths_; }
+  /// Per node: it is never executed (Reachability.h). Shared like the paths.
+  const std::shared_ptr<const std::vector<bool>>& unreachable() const { return unreachable_; }
   const std::string& path(int node) const { return (*paths_)[static_cast<std::size_t>(node)]; }
   const std::string& label(int node) const { return origin(node).label; }  // name, else ID
   const NodeManifest& manifest(int node) const {
@@ -165,6 +167,7 @@ class Program {
   std::vector<Scope> scopes_;  // only if indirect keys exist
   std::vector<IndirectKey> indirectKeys_;
   std::shared_ptr<const std::vector<std::string>> paths_;
+  std::shared_ptr<const std::vector<bool>> unreachable_;
   int memoryBytes_ = 0;
 };
 

@@ -173,7 +173,8 @@ class TreeBehavior final : public sim2d::HumanBehavior {
     for (const int human : order_) {
       const AgentTree& who = agentTrees_[static_cast<std::size_t>(human)];
       if (!who.results.empty()) {
-        base::addTreeResults({who.owner, who.program->program->paths(), who.results}, all);
+        const Program& program = *who.program->program;
+        base::addTreeResults({who.owner, program.paths(), who.results, program.unreachable()}, all);
       }
     }
     return all;

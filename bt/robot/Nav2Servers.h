@@ -104,15 +104,17 @@ class ProgramResults {
  public:
   /// The tree adds its statuses from now on; this must outlive its ticks.
   void record(TreeState& tree) {
-    const auto& paths = tree.program().paths();
-    std::vector<base::StatusSet>& returned = returned_[paths];
-    returned.resize(paths->size());
-    tree.recordResults(returned.data());
+    const Program& program = tree.program();
+    base::TreeResults& results = results_[program.paths()];
+    results.paths = program.paths();
+    results.unreachable = program.unreachable();
+    results.returned.resize(results.paths->size());
+    tree.recordResults(results.returned.data());
   }
   std::vector<base::TreeResults> all() const {
     std::vector<base::TreeResults> results;
-    for (const auto& [paths, returned] : returned_) {
-      base::addTreeResults({{}, paths, returned}, results);
+    for (const auto& [paths, each] : results_) {
+      base::addTreeResults(each, results);
     }
     std::sort(results.begin(), results.end(),
               [](const auto& a, const auto& b) { return *a.paths < *b.paths; });
@@ -120,7 +122,7 @@ class ProgramResults {
   }
 
  private:
-  std::map<std::shared_ptr<const std::vector<std::string>>, std::vector<base::StatusSet>> returned_;
+  std::map<std::shared_ptr<const std::vector<std::string>>, base::TreeResults> results_;
 };
 
 /// A navigation requested by a node of another tree: its own tree and blackboard on the servers of

@@ -12,6 +12,10 @@ void addTreeResults(const TreeResults& more, std::vector<TreeResults>& to) {
     to.push_back(more);
     return;
   }
+  const bool haveEqualMarks =
+      known->unreachable == more.unreachable ||
+      (known->unreachable && more.unreachable && *known->unreachable == *more.unreachable);
+  known->unreachable = haveEqualMarks ? known->unreachable : nullptr;
   for (std::size_t node = 0; node < more.returned.size(); ++node) {
     known->returned[node] = static_cast<StatusSet>(static_cast<unsigned>(known->returned[node]) |
                                                    static_cast<unsigned>(more.returned[node]));

@@ -27,9 +27,12 @@ struct TreeResults {
   std::string owner;                                      // name of the person or robot
   std::shared_ptr<const std::vector<std::string>> paths;  // of the nodes, as in trees.csv
   std::vector<StatusSet> returned;                        // per node
+  /// Per node: the structure of the tree proves that it is never executed. Null: unknown.
+  std::shared_ptr<const std::vector<bool>> unreachable;
 };
 
-/// Adds the statuses to the entry of the same owner and tree, or a new entry.
+/// Adds the statuses to the entry of the same owner and tree, or a new entry. Trees with equal
+/// paths and different marks of unreachable nodes have none together.
 void addTreeResults(const TreeResults& more, std::vector<TreeResults>& to);
 
 }  // namespace base

@@ -135,6 +135,18 @@ class TreeCoverageTest : public QObject {
     QCOMPARE(bytesOf(joined + text("/tree_coverage.csv")), csv);
   }
 
+  /// Also of a batch that keeps no run folders.
+  void coverage_withoutRecords_isTheSame() {
+    const QString study = folder_.writeStudy("coverage.yaml", kCoverageStudy);
+    const QString kept = folder_.path(text("kept")), bare = folder_.path(text("bare"));
+    QCOMPARE(failureOf(StudyFolder::words(study, kept)), QString());
+    writeText(study, bytesOf(study).replace("record: all\n", ""));
+    QCOMPARE(failureOf(StudyFolder::words(study, bare)), QString());
+    const QByteArray csv = bytesOf(kept + text("/tree_coverage.csv"));
+    QVERIFY(!csv.isEmpty());
+    QCOMPARE(bytesOf(bare + text("/tree_coverage.csv")), csv);
+  }
+
   void withoutTheKey_thereIsNoFile() {
     const QString out = folder_.path(text("none"));
     const QString study = folder_.writeStudy("none.yaml", "seeds: 1\nduration: 1.0\n");

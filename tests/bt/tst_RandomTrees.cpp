@@ -201,8 +201,16 @@ class Pair {
     return !areFaults && result.difference.isEmpty();
   }
 
-  /// What each node has returned in all ticks; empty: the same.
+  /// What each node has returned in all ticks; empty: the same. Nodes that are marked as
+  /// unreachable have returned nothing.
   QString differingResult() const {
+    for (std::size_t node = 0; node < returned_.size(); ++node) {
+      const bool isExecuted = returned_[node] != base::StatusSet();
+      if (isExecuted && (*state_.program().unreachable())[node]) {
+        return QStringLiteral("%1 is not unreachable")
+            .arg(QString::fromStdString(state_.program().path(static_cast<int>(node))));
+      }
+    }
     std::size_t place = 0;
     const QString found = differingResult(*root_, place);
     return found.isEmpty() && place != returned_.size() ? QStringLiteral("the numbers of nodes")
