@@ -22,8 +22,9 @@ void addStudyRunOptions(CLI::App& command, StudyRunOptions& options, const std::
 }
 
 std::unique_ptr<RunPool> openStudyPool(const StudyRunOptions& options, const std::string& journal,
-                                       RunProgress& progress) {
+                                       RunProgress& progress, bool keepsTrees) {
   RunPoolOptions pool;
+  pool.keepsTrees = keepsTrees;
   pool.jobs = options.jobs;
   pool.timeLimit = options.timeLimit > 0.0 ? options.timeLimit : pool.timeLimit;
   pool.allowCode = options.allowCode;

@@ -24,8 +24,8 @@ struct StudyRunOptions {
 void addStudyRunOptions(CLI::App& command, StudyRunOptions& options, const std::string& study);
 
 /// The pool of a command. `journal`: its file; empty: none. The command ends if the journal cannot
-/// be used. `progress` must outlive the pool.
+/// be used. `progress` must outlive the pool. `keepsTrees`: RunPoolOptions::keepsTrees.
 std::unique_ptr<RunPool> openStudyPool(const StudyRunOptions& options, const std::string& journal,
-                                       RunProgress& progress);
+                                       RunProgress& progress, bool keepsTrees = false);
 
 }  // namespace app

@@ -54,8 +54,11 @@ std::optional<EliteArchive::Change> EliteArchive::add(const Elite& elite) {
   return Change{false, improvement};
 }
 
-const EliteArchive::Elite& EliteArchive::at(std::size_t index) const {
-  return std::next(elites_.begin(), static_cast<std::ptrdiff_t>(index))->second;
+std::vector<std::size_t> EliteArchive::runs() const {
+  std::vector<std::size_t> runs;
+  std::transform(elites_.begin(), elites_.end(), std::back_inserter(runs),
+                 [](const auto& entry) { return entry.second.run; });
+  return runs;
 }
 
 std::vector<std::size_t> improvementRanks(

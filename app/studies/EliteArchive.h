@@ -52,8 +52,7 @@ class EliteArchive {
   /// In the order of the cells.
   const std::map<Cell, Elite>& elites() const { return elites_; }
   bool isEmpty() const { return elites_.empty(); }
-  /// The elite number `index` in the order of the cells.
-  const Elite& at(std::size_t index) const;
+  std::vector<std::size_t> runs() const;  // of the elites, in the order of the cells
 
  private:
   std::array<Descriptor, 2> descriptors_;

@@ -25,9 +25,10 @@ class Searcher {
         result_(plan.descriptors) {}
 
   base::Result<SearchResult> run() {
-    base::Diagnostics problems = take(emitters_.first(firstCount()), false);
+    base::Diagnostics problems = take(emitters_.first(firstCount(), plan_.covers), false);
     while (!base::hasErrors(problems) && !isOver()) {
-      std::vector<Candidate> batch = emitters_.next(result_.archive, rated_);
+      std::vector<Candidate> batch =
+          emitters_.next(plan_.covers ? result_.coveringRuns() : result_.archive.runs(), rated_);
       if (batch.empty()) {
         break;  // everything has run
       }
@@ -43,16 +44,21 @@ class Searcher {
   }
 
  private:
-  /// A quarter of the runs at most, ten per dimension if that is less.
+  /// A quarter of the runs at most, ten per dimension if that is less; as many as the largest
+  /// category has options if they must all occur.
   std::size_t firstCount() const {
-    const std::size_t wanted = 10 * (space_.dimensions() + 1);
-    return std::min({wanted, plan_.runs / 4 + 1, plan_.runs});
+    const std::size_t wanted = std::min(10 * (space_.dimensions() + 1), plan_.runs / 4 + 1);
+    const std::vector<std::size_t>& options = space_.optionCounts();
+    const std::size_t most = *std::max_element(options.begin(), options.end());
+    return std::min(plan_.covers ? std::max(wanted, most) : wanted, plan_.runs);
   }
 
   bool hasAllFailures() const {
-    return plan_.worst.empty() && result_.failures.size() >= plan_.failures;
+    return plan_.worst.empty() && !plan_.covers && result_.failures.size() >= plan_.failures;
   }
-  bool isOver() const { return result_.runs.size() >= plan_.runs || hasAllFailures(); }
+  bool isOver() const {
+    return result_.runs.size() >= plan_.runs || hasAllFailures() || result_.coverage.isComplete();
+  }
 
   base::Diagnostics take(const std::vector<Candidate>& batch, bool tellsEmitters) {
     std::vector<RunRequest> requests;
@@ -66,15 +72,19 @@ class Searcher {
     if (!rows) {
       return rows.diagnostics();
     }
-    std::vector<double> fitness;
-    std::vector<std::optional<EliteArchive::Change>> changes;
+    const std::size_t first = result_.runs.size();
     for (std::size_t k = 0; k < batch.size(); ++k) {
       base::Diagnostics problems = add(batch[k], requests[k], (*rows)[k]);
       if (base::hasErrors(problems)) {
         return problems;
       }
-      fitness.push_back(result_.runs.back().fitness);
-      changes.push_back(addToArchive());
+    }
+    rateByCoverage();
+    std::vector<double> fitness;
+    std::vector<std::optional<EliteArchive::Change>> changes;
+    for (std::size_t run = first; run < result_.runs.size(); ++run) {
+      fitness.push_back(rated_[run].fitness);
+      changes.push_back(plan_.covers ? coverageChange(run) : addToArchive(run));
     }
     if (tellsEmitters) {
       emitters_.tell(fitness, changes);
@@ -100,6 +110,10 @@ class Searcher {
       result_.firstProblem = row.reason;
     }
     const std::size_t number = result_.runs.size();
+    if (plan_.covers) {
+      const std::string& scenario = space_.scenarioName(candidate);
+      run.newNodes = result_.coverage.add(number, scenario, row.trees);
+    }
     if (!plan_.worst.empty() && std::isfinite(run.fitness) &&
         (!result_.worst || run.fitness > result_.runs[result_.worst->run].fitness)) {
       result_.worst = FoundFailure{number, run.kind.value_or(FailureKind()), request, row};
@@ -114,7 +128,7 @@ class Searcher {
   }
 
   bool isWanted(const FailureKind& kind) const {
-    return !hasAllFailures() &&
+    return !plan_.covers && !hasAllFailures() &&
            std::none_of(result_.failures.begin(), result_.failures.end(),
                         [&](const FoundFailure& found) { return found.kind == kind; });
   }
@@ -132,12 +146,27 @@ class Searcher {
     return {};
   }
 
-  std::optional<EliteArchive::Change> addToArchive() {
-    const SearchedRun& run = result_.runs.back();
+  /// The nodes of a run become less rare with each later run that executes them.
+  void rateByCoverage() {
+    for (std::size_t k = 0; plan_.covers && k < result_.runs.size(); ++k) {
+      SearchedRun& run = result_.runs[k];
+      run.fitness = run.wasSimulated ? result_.coverage.rarity(k) : kUndefinedFitness;
+      rated_[k].fitness = run.fitness;
+    }
+  }
+
+  std::optional<EliteArchive::Change> coverageChange(std::size_t number) const {
+    const std::size_t found = result_.runs[number].newNodes;
+    return found > 0 ? std::optional(EliteArchive::Change{true, static_cast<double>(found)})
+                     : std::nullopt;
+  }
+
+  std::optional<EliteArchive::Change> addToArchive(std::size_t number) {
+    const SearchedRun& run = result_.runs[number];
     if (!run.wasSimulated || std::isinf(run.fitness)) {
       return std::nullopt;
     }
-    return result_.archive.add({result_.runs.size() - 1, run.fitness, run.descriptors});
+    return result_.archive.add({number, run.fitness, run.descriptors});
   }
 
   const SearchSpace& space_;
@@ -153,6 +182,16 @@ class Searcher {
 std::array<Descriptor, 2> SearchPlan::defaultDescriptors() {
   return {Descriptor{"final_bearing_to_person", -base::kPi, base::kPi, 8},
           Descriptor{"final_people_near", 0.0, 8.0, 8}};
+}
+
+std::vector<std::size_t> SearchResult::coveringRuns() const {
+  std::vector<std::size_t> covering;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (runs[k].newNodes > 0) {
+      covering.push_back(k);
+    }
+  }
+  return covering;
 }
 
 int worseDirection(const std::string& metric) {

@@ -13,14 +13,17 @@
 #include "app/studies/EliteArchive.h"
 #include "app/studies/FailureKind.h"
 #include "app/studies/FailureShrinking.h"
+#include "app/studies/SearchCoverage.h"
 #include "app/studies/SearchEmitters.h"
 #include "app/studies/SearchSpace.h"
 
-/// Search for the worst runs and for failures that differ in kind.
+/// Search for the worst runs, for failures that differ in kind, and for runs that execute nodes of
+/// behaviour trees that no other run has executed.
 namespace app {
 
 struct SearchPlan {
   std::string worst;       // key of a metric to make worse; empty: search for failures
+  bool covers = false;     // instead of failures, nodes of behaviour trees that no run has executed
   std::size_t runs = 500;  // of the search, without shrinking
   /// The search ends when it has failures of so many kinds, unless it looks for the worst value.
   std::size_t failures = 1;
@@ -50,6 +53,7 @@ struct SearchedRun {
   double fitness = 0.0;           // see fitnessOf()
   std::array<double, 2> descriptors{};
   std::optional<FailureKind> kind;  // it is a failure
+  std::size_t newNodes = 0;         // of behaviour trees, with SearchPlan::covers
   bool isUnavoidable = false;       // a contact that the judge excused; only asked for new kinds
 };
 
@@ -64,10 +68,14 @@ struct FoundFailure {
 struct SearchResult {
   std::vector<SearchedRun> runs;
   EliteArchive archive;
+  SearchCoverage coverage;             // with SearchPlan::covers
   std::vector<FoundFailure> failures;  // in the order in which they were found
   std::optional<FoundFailure> worst;   // with SearchPlan::worst: the run with the worst value
   std::size_t notSimulated = 0;
   std::string firstProblem;  // why the first of them could not run
+
+  /// With SearchPlan::covers: the runs that executed a node first; they form the archive.
+  std::vector<std::size_t> coveringRuns() const;
 
   explicit SearchResult(const std::array<Descriptor, 2>& descriptors) : archive(descriptors) {}
 };
@@ -78,7 +86,9 @@ struct SearchResult {
 /// simulated, or the metric is undefined.
 double fitnessOf(const ResultRow& row, const SearchPlan& plan);
 
-/// Searches. Equal plans give equal results for any number of parallel processes. Errors: those of
+/// Searches. To cover trees, it rates all runs anew after each batch, by the rarity of their nodes
+/// (SearchCoverage), and ends when there is no missing node; the results of `run` must have trees.
+/// Equal plans give equal results for any number of parallel processes. Errors: those of
 /// `run` and of the judge.
 base::Result<SearchResult> search(const SearchSpace& space, const SearchPlan& plan,
                                   const RunMany& run);

@@ -28,14 +28,18 @@ const Candidate& bestOf(const std::vector<RatedCandidate>& rated) {
 SearchEmitters::SearchEmitters(const SearchSpace& space, std::uint64_t seed)
     : space_(space), seed_(seed), random_(seed) {}
 
-std::vector<Candidate> SearchEmitters::first(std::size_t count) {
+std::vector<Candidate> SearchEmitters::first(std::size_t count, bool hasAllOptions) {
   std::vector<std::vector<double>> points(count);
   if (space_.dimensions() > 0) {
     points = designPoints({Design::Method::Sobol, count, seed_}, space_.dimensions());
   }
   std::vector<Candidate> candidates;
-  for (std::vector<double>& point : points) {
-    candidates.push_back({std::move(point), space_.randomChoices(random_)});
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<std::size_t> choices = space_.randomChoices(random_);
+    if (hasAllOptions) {
+      space_.chooseOption(k, choices);
+    }
+    candidates.push_back({std::move(points[k]), std::move(choices)});
     if (space_.dimensions() == 0 && !proposed_.insert(candidates.back().choices).second) {
       candidates.pop_back();
     }
@@ -65,10 +69,10 @@ void SearchEmitters::restartImprovement(const Candidate& elite) {
   improverChoices_ = elite.choices;
 }
 
-std::vector<Candidate> SearchEmitters::next(const EliteArchive& archive,
+std::vector<Candidate> SearchEmitters::next(const std::vector<std::size_t>& elites,
                                             const std::vector<RatedCandidate>& rated) {
   if (space_.dimensions() == 0) {
-    return combinations(archive, rated);
+    return combinations(elites, rated);
   }
   const Candidate best = rated.empty() ? Candidate{std::vector<double>(space_.dimensions(), 0.5),
                                                    space_.randomChoices(random_)}
@@ -81,10 +85,8 @@ std::vector<Candidate> SearchEmitters::next(const EliteArchive& archive,
     optimiser_ = std::make_unique<RestartedCmaEs>(options);
   }
   if (!improver_) {
-    restartImprovement(
-        archive.isEmpty()
-            ? best
-            : rated[archive.at(random_.below(archive.elites().size())).run].candidate);
+    restartImprovement(elites.empty() ? best
+                                      : rated[elites[random_.below(elites.size())]].candidate);
   }
   std::vector<Candidate> candidates = candidatesAt(optimiser_->ask(), best.choices);
   optimiserCount_ = candidates.size();
@@ -114,11 +116,11 @@ void SearchEmitters::tell(const std::vector<double>& fitness,
   }
 }
 
-std::vector<Candidate> SearchEmitters::combinations(const EliteArchive& archive,
+std::vector<Candidate> SearchEmitters::combinations(const std::vector<std::size_t>& elites,
                                                     const std::vector<RatedCandidate>& rated) {
   std::vector<Candidate> candidates;
   while (candidates.size() < kCombinations) {
-    std::optional<std::vector<std::size_t>> choices = newCombination(archive, rated);
+    std::optional<std::vector<std::size_t>> choices = newCombination(elites, rated);
     if (!choices) {
       break;
     }
@@ -130,11 +132,11 @@ std::vector<Candidate> SearchEmitters::combinations(const EliteArchive& archive,
 
 /// Half of them near an elite. When random ones are all known, the first unknown one in order.
 std::optional<std::vector<std::size_t>> SearchEmitters::newCombination(
-    const EliteArchive& archive, const std::vector<RatedCandidate>& rated) {
+    const std::vector<std::size_t>& elites, const std::vector<RatedCandidate>& rated) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     std::vector<std::size_t> choices = space_.randomChoices(random_);
-    if (!archive.isEmpty() && random_.chance(0.5)) {
-      choices = rated[archive.at(random_.below(archive.elites().size())).run].candidate.choices;
+    if (!elites.empty() && random_.chance(0.5)) {
+      choices = rated[elites[random_.below(elites.size())]].candidate.choices;
       space_.mutate(choices, random_);
     }
     if (proposed_.count(choices) == 0) {

@@ -32,9 +32,11 @@ class SearchEmitters {
   SearchEmitters(const SearchSpace& space, std::uint64_t seed);
 
   /// Candidates spread over the whole space: a Sobol sequence with random categories.
-  std::vector<Candidate> first(std::size_t count);
-  /// The next batch. `rated`: all candidates so far; the archive refers to their numbers.
-  std::vector<Candidate> next(const EliteArchive& archive,
+  /// `hasAllOptions`: with all options of each category but the seeds in turn.
+  std::vector<Candidate> first(std::size_t count, bool hasAllOptions = false);
+  /// The next batch. `elites`: numbers of the runs in the archive; `rated`: all candidates so far,
+  /// by number of their run.
+  std::vector<Candidate> next(const std::vector<std::size_t>& elites,
                               const std::vector<RatedCandidate>& rated);
   /// The results of the batch of next(), in its order.
   void tell(const std::vector<double>& fitness,
@@ -43,9 +45,9 @@ class SearchEmitters {
  private:
   std::vector<Candidate> candidatesAt(const std::vector<Point>& points,
                                       const std::vector<std::size_t>& choices);
-  std::vector<Candidate> combinations(const EliteArchive& archive,
+  std::vector<Candidate> combinations(const std::vector<std::size_t>& elites,
                                       const std::vector<RatedCandidate>& rated);
-  std::optional<std::vector<std::size_t>> newCombination(const EliteArchive& archive,
+  std::optional<std::vector<std::size_t>> newCombination(const std::vector<std::size_t>& elites,
                                                          const std::vector<RatedCandidate>& rated);
   void restartImprovement(const Candidate& elite);
 

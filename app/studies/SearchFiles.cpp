@@ -122,9 +122,12 @@ std::string searchCsv(const SearchStudy& study) {
   for (const ExperimentValue& value : experiment.values) {
     addCsvField(text, value.path);
   }
-  text += ",reason,simulated,kind,unavoidable,value,fitness";
+  text += study.plan.covers ? ",reason,simulated,fitness,new_nodes"
+                            : ",reason,simulated,kind,unavoidable,value,fitness";
   for (const Descriptor& descriptor : study.plan.descriptors) {
-    addCsvField(text, descriptor.key);
+    if (!study.plan.covers) {
+      addCsvField(text, descriptor.key);
+    }
   }
   text += '\n';
   for (std::size_t k = 0; k < study.result.runs.size(); ++k) {
@@ -137,6 +140,11 @@ std::string searchCsv(const SearchStudy& study) {
     }
     addCsvField(text, run.reason);
     addCsvField(text, run.simulated);
+    if (study.plan.covers) {
+      addCsvField(text, csvNumber(run.fitness));
+      text += ',' + std::to_string(run.newNodes) + '\n';
+      continue;
+    }
     addCsvField(text, run.kind ? run.kind->name() : std::string());
     addCsvField(text, run.isUnavoidable ? "True" : "");
     addCsvField(text, csvNumber(run.value));

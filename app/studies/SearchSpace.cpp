@@ -14,6 +14,7 @@ using ValueKind = ExperimentValue::Kind;
 
 constexpr std::size_t kMostCombinations = 1'000'000'000;
 constexpr double kStuckAfter = 20.0;       // [s]
+constexpr std::size_t kSeeds = 1;          // the category of the seeds
 constexpr std::size_t kFirstCategory = 2;  // after scenarios and seeds
 
 bool isContinuous(const ExperimentValue& value) {
@@ -42,8 +43,10 @@ std::size_t SearchRandom::below(std::size_t count) {
   return std::min(index, count - 1);
 }
 
-SearchSpace::SearchSpace(const Experiment& experiment)
-    : experiment_(experiment), optionCounts_{experiment.scenarios.size(), experiment.seeds.size()} {
+SearchSpace::SearchSpace(const Experiment& experiment, RunsEnd runsEnd)
+    : experiment_(experiment),
+      runsEnd_(runsEnd),
+      optionCounts_{experiment.scenarios.size(), experiment.seeds.size()} {
   for (std::size_t k = 0; k < experiment.values.size(); ++k) {
     if (isContinuous(experiment.values[k])) {
       continuous_.push_back(k);
@@ -99,10 +102,11 @@ RunRequest SearchSpace::requestOf(const Candidate& candidate) const {
   request.seed = seedOf(candidate);
   request.spec = experiment_.common;
   request.spec.allowCode = experiment_.allowCode;
-  if (!request.spec.stopOnCollision) {
+  const bool endsEarly = runsEnd_ == RunsEnd::AtFailures;
+  if (endsEarly && !request.spec.stopOnCollision) {
     request.spec.stopOnCollision = "any";
   }
-  if (!request.spec.stuckAfter && !setsStuckAfter_[scenarioOf(candidate)]) {
+  if (endsEarly && !request.spec.stuckAfter && !setsStuckAfter_[scenarioOf(candidate)]) {
     request.spec.stuckAfter = kStuckAfter;
   }
   const std::vector<std::string> texts = textsOf(candidate);
@@ -118,6 +122,14 @@ std::vector<std::size_t> SearchSpace::randomChoices(SearchRandom& random) const 
     choices.push_back(random.below(options));
   }
   return choices;
+}
+
+void SearchSpace::chooseOption(std::size_t number, std::vector<std::size_t>& choices) const {
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    if (k != kSeeds) {
+      choices[k] = number % optionCounts_[k];
+    }
+  }
 }
 
 void SearchSpace::mutate(std::vector<std::size_t>& choices, SearchRandom& random) const {

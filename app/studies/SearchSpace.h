@@ -35,8 +35,12 @@ struct Candidate {
 /// categories. The first two categories are the scenarios and the seeds.
 class SearchSpace {
  public:
+  /// What ends runs unless the experiment says so: contacts with anything and a robot without
+  /// progress (see requestOf), or only what the scenario sets.
+  enum class RunsEnd { AtFailures, AsInScenario };
+
   /// The experiment must outlive this.
-  explicit SearchSpace(const Experiment& experiment);
+  explicit SearchSpace(const Experiment& experiment, RunsEnd runsEnd = RunsEnd::AtFailures);
 
   std::size_t dimensions() const { return continuous_.size(); }
   const std::vector<std::size_t>& optionCounts() const { return optionCounts_; }  // of categories
@@ -46,14 +50,19 @@ class SearchSpace {
   /// The text of each value of the experiment, in its order. Continuous values are rounded to a
   /// ten-thousandth of their range.
   std::vector<std::string> textsOf(const Candidate& candidate) const;
-  /// The run of a candidate. Unless the experiment says otherwise, runs stop at contacts with
-  /// anything (`stop_on_collision: any`), and when a robot has made no progress for 20 s or the
-  /// time that the scenario sets (`stuck_after`).
+  /// The run of a candidate. With RunsEnd::AtFailures, runs stop at contacts with anything
+  /// (`stop_on_collision: any`), and when a robot has made no progress for 20 s or the time that
+  /// the scenario sets (`stuck_after`), unless the experiment says otherwise.
   RunRequest requestOf(const Candidate& candidate) const;
   long long seedOf(const Candidate& candidate) const;
   std::size_t scenarioOf(const Candidate& candidate) const { return candidate.choices[0]; }
+  const std::string& scenarioName(const Candidate& candidate) const {  // as the experiment has it
+    return experiment_.scenarios[scenarioOf(candidate)];
+  }
 
   std::vector<std::size_t> randomChoices(SearchRandom& random) const;
+  /// The option `number` of each category but the seeds, from the first one on after the last.
+  void chooseOption(std::size_t number, std::vector<std::size_t>& choices) const;
   /// Another option of one random category that has several; nothing if there is none.
   void mutate(std::vector<std::size_t>& choices, SearchRandom& random) const;
 
@@ -61,6 +70,7 @@ class SearchSpace {
   std::string textOf(const ExperimentValue& value, double place) const;
 
   const Experiment& experiment_;
+  RunsEnd runsEnd_;
   std::vector<std::size_t> continuous_;    // indices of values
   std::vector<std::size_t> categories_;    // indices of values
   std::vector<std::size_t> optionCounts_;  // scenarios, seeds, then those of categories_

@@ -45,6 +45,16 @@ base::Result<SearchStudy> runSearchStudy(const Experiment& experiment, const Sea
 /// and no world may exist in this process.
 ContactJudge avoidabilityJudge(const sim2d::ImageLoader& loader, std::function<bool()> wantsStop);
 
+/// The command line of a run of the search: in the window, or without it.
+enum class RunUse { Play, Run };
+std::string searchedRunCommand(const SearchStudy& study, std::size_t run, RunUse use);
+
+/// archive.json with SearchPlan::covers: trees with what was never reached, and the runs that
+/// reached a node first (FORMAT.md).
+std::string coverageJson(const SearchStudy& study);
+/// coverage.csv: a row per node of each tree with the first run that reached it.
+std::string coverageCsv(const SearchStudy& study);
+
 /// archive.json: the cells of the archive, the failures and the worst run (FORMAT.md).
 std::string searchJson(const SearchStudy& study);
 /// runs.csv: all runs of the search in their order.

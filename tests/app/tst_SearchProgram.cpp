@@ -1,8 +1,10 @@
+#include <set>
+
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "tests/app/RunFiles.h"
+#include "tests/app/StudyFiles.h"
 
 using namespace outside;
 
@@ -70,6 +72,11 @@ class SearchProgramTest : public QObject {
   QTemporaryDir folder_;
   QString at(const char* name) const { return folder_.filePath(text(name)); }
 
+  static QByteArray people() { return kYardText; }
+  Finished cover(const QString& output, const char* more) const {
+    return runProgram(list("search % -o % --cover --quiet", {at("cover.yaml"), output}) +
+                      list(more));
+  }
   Finished search(const QString& output, const char* more) const {
     QStringList words = list("search % -o % --allow-code --quiet", {at("study.yaml"), output});
     return runProgram(words + list(more));
@@ -79,6 +86,11 @@ class SearchProgramTest : public QObject {
   void initTestCase() {
     writeText(at("yard.yaml"), yard());
     writeText(at("study.yaml"), kStudy);
+    writeText(at("people.yaml"), people());
+    writeText(at("cover.yaml"),
+              "hunavsim_experiment: 1\nscenarios: [people.yaml]\nseeds: 2\nduration: 8.0\nvalues:\n"
+              "  anna.behavior.type: [Regular, Scared, Curious]\n"
+              "  robot1.max_vel: {uniform: [0.2, 1.0]}\n");
   }
 
   /// A planner that ignores people on its left fails because of them; one of them is enough.
@@ -158,8 +170,73 @@ class SearchProgramTest : public QObject {
     QCOMPARE(worst.value(text("value")).toDouble(), least);
   }
 
+  /// Each node that a run was the first to execute is in trees.csv when its command is repeated.
+  void cover_foundNodes_areExecutedByTheCommands() {
+    const QString out = at("covered");
+    const Finished finished = cover(out, "--runs 24 --jobs 2");
+    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+    const QJsonObject archive = archiveOf(out);
+    const QJsonArray runs = archive.value(text("archive")).toArray();
+    QVERIFY(!runs.isEmpty());
+    int found = 0;
+    for (const QJsonValue& each : runs) {
+      QStringList words = each.toObject().value(text("command")).toString().split(QLatin1Char(' '));
+      QCOMPARE(words.takeFirst(), text("hunavsim"));
+      const QString folder = at("again_") + QString::number(found);
+      QCOMPARE(failureOf(words + QStringList{text("--quiet"), text("-o"), folder}), QString());
+      std::set<QString> executed;
+      for (const auto& row : readCsv(folder + text("/trees.csv"))) {
+        const QString status = row.at(text("status"));
+        if (status != text("IDLE") && status != text("SKIPPED")) {
+          executed.insert(row.at(text("node")));
+        }
+      }
+      for (const QJsonValue& node : each.toObject().value(text("nodes")).toArray()) {
+        const QString path = node.toObject().value(text("node")).toString();
+        QVERIFY2(executed.count(path) > 0, qPrintable(path));
+        ++found;
+      }
+    }
+    QCOMPARE(found, archive.value(text("reached")).toInt());
+    int reached = 0, never = 0;
+    for (const auto& row : readCsv(out + text("/coverage.csv"))) {
+      reached += row.at(text("state")) == text("reached") ? 1 : 0;
+      never += row.at(text("state")) == text("never") ? 1 : 0;
+    }
+    QCOMPARE(reached, found);
+    QCOMPARE(reached + never + archive.value(text("unreachable")).toInt(),
+             archive.value(text("nodes")).toInt());
+    const QByteArray page = bytesOf(out + text("/report.html"));
+    QVERIFY(page.contains("id=\"never\"") && page.contains("reachable nodes"));
+    QCOMPARE(failureOf("trees % --agent anna --picture % --coverage %",
+                       {at("people.yaml"), at("tree.svg"), out}),
+             QString());
+  }
+
+  void cover_anyJobs_givesEqualBytes() {
+    const QString two = at("two_jobs");
+    QCOMPARE(cover(two, "--runs 24 --jobs 1").exitCode, 0);
+    for (const char* name : {"/archive.json", "/coverage.csv", "/tree_coverage.csv", "/runs.csv"}) {
+      const QByteArray bytes = bytesOf(two + text(name));
+      QVERIFY(bytes.size() > 50);
+      QVERIFY2(bytes == bytesOf(at("covered") + text(name)), name);
+    }
+  }
+
+  void cover_withoutTrees_isReported() {
+    writeText(at("empty.yaml"), people().replace("agents: [anna, ben]", "agents: []"));
+    writeText(at("cover_empty.yaml"),
+              "hunavsim_experiment: 1\nscenarios: [empty.yaml]\nseeds: 2\nduration: 1.0\n");
+    const Finished finished =
+        runProgram("search % -o % --cover", {at("cover_empty.yaml"), at("none")});
+    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+    QVERIFY2(finished.err.contains(text("no run has a behaviour tree")), qPrintable(finished.err));
+  }
+
   void wrongWords_areReported() {
-    QCOMPARE(unexpected(search(at("x"), "--runs 5"), 64, "one of --worst KEY and --until-failure"),
+    QCOMPARE(cover(at("x"), "--until-failure").exitCode, 64);
+    QCOMPARE(unexpected(search(at("x"), "--runs 5"), 64,
+                        "one of --worst KEY, --until-failure and --cover"),
              QString());
     QCOMPARE(unexpected(search(at("x"), "--worst minimum_distance_to_peple"), 64,
                         "did you mean 'minimum_distance_to_people'"),

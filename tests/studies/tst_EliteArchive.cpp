@@ -65,8 +65,8 @@ class EliteArchiveTest : public QObject {
     QVERIFY(kept.add({4, -7.0, {4.0, 0.2}})->isNewCell);  // cell 2, 2
     QCOMPARE(kept.elites().size(), std::size_t{2});
     QVERIFY((kept.elites().begin()->first == EliteArchive::Cell{1, 2}));
-    QCOMPARE(kept.at(0).run, std::size_t{3});
-    QCOMPARE(kept.at(1).run, std::size_t{4});
+    QCOMPARE(kept.runs()[0], std::size_t{3});
+    QCOMPARE(kept.runs()[1], std::size_t{4});
   }
 
   void improvementRanks_newCellsFirst_thenImprovements() {

@@ -80,6 +80,28 @@ const char* const kTwoValues =
     "  robot1.max_vel: {uniform: [0.001, 1.0]}\n"
     "  p01.max_vel: {uniform: [0.001, 1.0]}\n";
 
+constexpr const char* kRing = "T/ring";  // of nested nodes
+
+/// A tree of a root, nodes in rings around (0.82, 0.27), each 0.6 times as large as the one before
+/// and reached within it, and a last one that the structure excludes.
+ResultRow rowOfRings(double x, double y, int rings) {
+  const double distance = std::fabs(x - 0.82) + std::fabs(y - 0.27);
+  ResultRow row = rowOf(false, 1.0);
+  app::TreeRow tree;
+  tree.owners = "p01";
+  tree.paths = "T";
+  tree.returned = "2";
+  double radius = 0.5;
+  for (int ring = 0; ring < rings; ++ring, radius *= 0.6) {
+    tree.paths += std::string("\n") + kRing + std::to_string(ring);
+    tree.returned += distance < radius ? '2' : '0';
+  }
+  tree.paths += "\nT/never";
+  tree.returned += 'u';
+  row.trees.push_back(tree);
+  return row;
+}
+
 std::string textOf(const app::SearchResult& result) {
   std::string text;
   for (const app::SearchedRun& run : result.runs) {
@@ -96,6 +118,14 @@ std::string textOf(const app::SearchResult& result) {
 /// The search for failures, on functions in place of runs.
 class SearchTest : public QObject {
   Q_OBJECT
+
+ private:
+  static void addSeeds() {
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 5; ++seed) {
+      QTest::addRow("seed %d", seed) << seed;
+    }
+  }
 
  private Q_SLOTS:
   void space_forms_areContinuousOrCategories() {
@@ -140,12 +170,7 @@ class SearchTest : public QObject {
     QCOMPARE(seen.size(), std::size_t{4});
   }
 
-  void narrowFailure_isFoundByTheGap_data() {
-    QTest::addColumn<int>("seed");
-    for (int seed = 1; seed <= 5; ++seed) {
-      QTest::addRow("seed %d", seed) << seed;
-    }
-  }
+  void narrowFailure_isFoundByTheGap_data() { addSeeds(); }
   void narrowFailure_isFoundByTheGap() {
     QFETCH(int, seed);
     const Experiment experiment = experimentOf(kTwoValues, "1");
@@ -250,6 +275,93 @@ class SearchTest : public QObject {
     QVERIFY(result->archive.isEmpty());
     QCOMPARE(result->notSimulated, std::size_t{4});
     QCOMPARE(result->firstProblem, std::string("p01 stands in a wall"));
+  }
+
+  /// The innermost ring has 0.04 % of the area, in which random points would need 2500 runs.
+  void cover_rareNodes_areReachedThroughLessRareOnes_data() { addSeeds(); }
+  void cover_rareNodes_areReachedThroughLessRareOnes() {
+    QFETCH(int, seed);
+    const Experiment experiment = experimentOf(kTwoValues, "1");
+    SearchPlan plan;
+    plan.covers = true;
+    plan.seed = static_cast<std::uint64_t>(seed);
+    const auto result =
+        app::search(SearchSpace(experiment, SearchSpace::RunsEnd::AsInScenario), plan,
+                    [](const std::vector<RunRequest>& requests) {
+                      std::vector<ResultRow> rows;
+                      for (const RunRequest& request : requests) {
+                        rows.push_back(rowOfRings(numberIn(request, "robot1.max_vel"),
+                                                  numberIn(request, "p01.max_vel"), 8));
+                      }
+                      return Rows(rows);
+                    });
+    QVERIFY(bool(result));
+    QVERIFY2(result->coverage.isComplete(), std::to_string(result->runs.size()).c_str());
+    QVERIFY(result->runs.size() < 500);
+    const app::SearchedTree& tree = result->coverage.trees().front();
+    QCOMPARE(tree.unreachable(), std::size_t{1});
+    QCOMPARE(tree.counts.executedNodes(), std::size_t{9});
+    QVERIFY(!tree.isReached(9) && !tree.isMissing(9));
+    std::size_t found = 0;
+    for (const std::size_t run : result->coveringRuns()) {
+      found += result->runs[run].newNodes;
+    }
+    QCOMPARE(found, std::size_t{9});
+    QVERIFY(result->failures.empty());
+  }
+
+  void cover_requests_runToTheirEnd() {
+    const Experiment experiment = experimentOf(kTwoValues, "1");
+    const SearchSpace space(experiment, SearchSpace::RunsEnd::AsInScenario);
+    const RunRequest request = space.requestOf({{0.5, 0.5}, {0, 0}});
+    QVERIFY(!request.spec.stopOnCollision && !request.spec.stuckAfter);
+  }
+
+  /// Every option occurs before the search may end, so no tree is left out.
+  void cover_options_allOccurFirst() {
+    const Experiment experiment =
+        experimentOf("  p01.behavior.type: [Regular, Impassive, Scared, Curious]\n", "3");
+    SearchPlan plan;
+    plan.covers = true;
+    std::set<std::string> seen;
+    const auto result = app::search(
+        SearchSpace(experiment), plan, [&seen](const std::vector<RunRequest>& requests) {
+          std::vector<ResultRow> rows;
+          for (const RunRequest& request : requests) {
+            const std::string type = valueOf(request, "p01.behavior.type");
+            seen.insert(type);
+            rows.push_back(rowOf(false, 1.0));
+            rows.back().trees = {{"p01", type, "2"}};
+          }
+          return Rows(rows);
+        });
+    QVERIFY(bool(result));
+    QCOMPARE(seen.size(), std::size_t{4});
+    QVERIFY(result->coverage.isComplete());
+    QCOMPARE(result->coverage.trees().size(), std::size_t{4});
+    QVERIFY(result->runs.size() < 12);  // not all combinations
+  }
+
+  /// Two runs of one tree and one of another: counts, first runs and rarities by hand.
+  void coverage_ofRuns_countsNodesOfAllScenarios() {
+    app::SearchCoverage coverage;
+    QVERIFY(!coverage.isComplete());
+    QCOMPARE(coverage.add(0, "a", {{"p01", "T\nT/x\nT/y\nT/z", "210u"}}), std::size_t{2});
+    QCOMPARE(coverage.add(1, "b", {{"p02", "T\nT/x\nT/y\nT/z", "280u"}, {"p03", "U", "4"}}),
+             std::size_t{1});  // SKIPPED is not executed
+    QCOMPARE(coverage.trees().size(), std::size_t{2});
+    QCOMPARE(coverage.byScenario().size(), std::size_t{3});
+    const app::SearchedTree& tree = coverage.trees()[0];
+    QCOMPARE(tree.counts.owners, std::string("p01, p02"));
+    QCOMPARE(tree.scenarios, (std::vector<std::string>{"a", "b"}));
+    QCOMPARE(tree.missing(), std::size_t{1});
+    QVERIFY(tree.firstRuns[1] == std::optional<std::size_t>(0) && tree.isMissing(2));
+    QCOMPARE(coverage.rarity(0), 1.5);  // 1/2 for T, 1 for T/x
+    QCOMPARE(coverage.rarity(1), 0.5);  // nothing for U, which is complete
+    QCOMPARE(coverage.add(2, "a", {{"p01", "T\nT/x\nT/y\nT/z", "222u"}}), std::size_t{1});
+    QVERIFY(coverage.isComplete());
+    QCOMPARE(coverage.add(3, "a", {{"p01", "T\nT/x\nT/y\nT/z", "2220"}}), std::size_t{0});
+    QVERIFY(!coverage.isComplete());  // not every tree of these paths excludes T/z
   }
 
   void error_ofTheRuns_endsTheSearch() {

@@ -5,6 +5,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/StudyRuns.h"
+#include "app/report/CoveragePage.h"
 #include "app/report/SearchPage.h"
 #include "app/studies/SearchStudy.h"
 #include "app/studies/StudyFolder.h"
@@ -21,7 +22,7 @@ struct SearchOptions {
   std::size_t runs = 500, failures = 1, shrinkRuns = 400;
   std::uint64_t seed = 1;
   StudyRunOptions run;
-  bool untilFailure = false, allContacts = false;
+  bool untilFailure = false, covers = false, allContacts = false;
 };
 
 /// The metrics that can become worse.
@@ -42,7 +43,9 @@ std::string descriptorProblem(const std::string& text) {
 SearchPlan searchPlanOf(const SearchOptions& options) {
   SearchPlan plan;
   base::Diagnostics problems;
-  if (options.worst.empty() != options.untilFailure) {
+  const int goals =
+      (options.worst.empty() ? 0 : 1) + (options.untilFailure ? 1 : 0) + (options.covers ? 1 : 0);
+  if (goals != 1) {
     problems.push_back(base::error("search.no-goal"));
   }
   if (!options.worst.empty() && worseDirection(options.worst) == 0) {
@@ -61,6 +64,7 @@ SearchPlan searchPlanOf(const SearchOptions& options) {
   }
   requireFine(problems, ExitWrongCommandLine);
   plan.worst = options.worst;
+  plan.covers = options.covers;
   plan.runs = options.runs;
   plan.failures = options.failures;
   plan.shrinkRuns = options.shrinkRuns;
@@ -86,6 +90,13 @@ std::vector<RunRequest> firstSearchRequests(const Experiment& experiment,
 
 std::vector<base::FileContent> searchFiles(const SearchStudy& study, const SearchOptions& options,
                                            const Invocation& given) {
+  if (study.plan.covers) {
+    return {{"archive.json", coverageJson(study)},
+            {"runs.csv", searchCsv(study)},
+            {"coverage.csv", coverageCsv(study)},
+            {kTreeCoverageFile, treeCoverageCsv(study.result.coverage.byScenario())},
+            {"report.html", report::coveragePage(study, given.wordsForResults())}};
+  }
   std::vector<base::FileContent> files = {
       {"archive.json", searchJson(study)},
       {"runs.csv", searchCsv(study)},
@@ -99,12 +110,43 @@ std::vector<base::FileContent> searchFiles(const SearchStudy& study, const Searc
   return files;
 }
 
+/// Trees, then the nodes that no run has reached.
+void printCoverage(const SearchStudy& study, const SearchOptions& options) {
+  std::vector<std::vector<std::string>> rows = {
+      {"tree", "of", "runs", "nodes", "reached", "unreachable"}};
+  std::vector<std::string> never;
+  const std::vector<SearchedTree>& trees = study.result.coverage.trees();
+  for (std::size_t k = 0; k < trees.size(); ++k) {
+    const std::string number = std::to_string(k + 1);
+    rows.push_back({number, trees[k].counts.owners, std::to_string(trees[k].counts.runs),
+                    std::to_string(trees[k].counts.nodes.size()),
+                    std::to_string(trees[k].counts.executedNodes()),
+                    std::to_string(trees[k].unreachable())});
+    for (std::size_t node = 0; node < trees[k].firstRuns.size(); ++node) {
+      if (trees[k].isMissing(node)) {
+        never.push_back("never reached, tree " + number + ": " + trees[k].counts.nodes[node].path);
+      }
+    }
+  }
+  printTable(rows);
+  for (const std::string& line : never) {
+    printLine(line);
+  }
+  printLine(std::to_string(study.result.runs.size()) + " runs, " + std::to_string(never.size()) +
+            (never.size() == 1 ? " node" : " nodes") + " never reached; " + options.output +
+            "/report.html");
+}
+
 void printSearch(const SearchStudy& study, const SearchOptions& options, const Invocation& given) {
   if (given.json) {
-    print(searchJson(study));
+    print(study.plan.covers ? coverageJson(study) : searchJson(study));
     return;
   }
   if (given.quiet) {
+    return;
+  }
+  if (study.plan.covers) {
+    printCoverage(study, options);
     return;
   }
   std::vector<std::vector<std::string>> rows;
@@ -147,13 +189,16 @@ int searchCommand(const SearchOptions& options, const Invocation& given) {
   base::Result<Experiment> experiment = readExperiment(options.experiment);
   requireFine(experiment.diagnostics());
   experiment->allowCode = options.run.allowCode;
-  const SearchSpace space(*experiment);
-  const base::Result<std::unique_ptr<StudyFolder>> folder =
-      StudyFolder::open(options.output, {"archive.json", "runs.csv", "report.html"},
-                        existingStudy(options.run.resume, options.run.force));
+  const SearchSpace space(*experiment, plan.covers ? SearchSpace::RunsEnd::AsInScenario
+                                                   : SearchSpace::RunsEnd::AtFailures);
+  const base::Result<std::unique_ptr<StudyFolder>> folder = StudyFolder::open(
+      options.output,
+      {"archive.json", "runs.csv", "coverage.csv", kTreeCoverageFile, "report.html"},
+      existingStudy(options.run.resume, options.run.force));
   requireFine(folder.diagnostics());
   RunProgress progress(given.quiet || given.json, options.runs, true);
-  const std::unique_ptr<RunPool> pool = openStudyPool(options.run, (*folder)->journal(), progress);
+  const std::unique_ptr<RunPool> pool =
+      openStudyPool(options.run, (*folder)->journal(), progress, plan.covers);
   requireFine(pool->check(firstSearchRequests(*experiment, space)));
   catchInterrupts();
   SearchStudyOptions study;
@@ -168,25 +213,42 @@ int searchCommand(const SearchOptions& options, const Invocation& given) {
   requireFine(made.diagnostics(), wasInterrupted() ? ExitRunFailed : ExitBadInput);
   requireFine((*folder)->finish(searchFiles(*made, options, given), "search"));
   printSearch(*made, options, given);
+  if (plan.covers && made->result.coverage.trees().empty()) {
+    printDiagnostics({base::warning("search.no-trees", {}, options.experiment)});
+  }
   const base::Diagnostics problems = repetitionProblems(*made, options.output);
   printDiagnostics(problems);
   return problems.empty() ? ExitFine : ExitRunFailed;
+}
+
+/// Adds the options of which one is required. Result: --cover.
+CLI::Option* addSearchGoals(CLI::App& command, SearchOptions& options) {
+  CLI::Option* const worst = command.add_option(
+      "--worst", options.worst, "Find the worst value of this metric (hunavsim list metrics)");
+  CLI::Option* const untilFailure =
+      command
+          .add_flag(
+              "--until-failure", options.untilFailure,
+              "Find failures of the robot; stop at the first one, or when --failures are found")
+          ->excludes(worst);
+  return command
+      .add_flag("--cover", options.covers,
+                "Find runs that reach nodes of people's and Nav2's behaviour trees which no "
+                "other run has reached; stop when all that can be reached are")
+      ->excludes(worst)
+      ->excludes(untilFailure);
 }
 
 }  // namespace
 
 void addSearch(CommandRegistry& commands) {
   const auto [command, options] = commands.add(
-      "search", "Find runs in which a robot fails, and shrink each to a small scenario",
+      "search",
+      "Find runs in which a robot fails, or which reach unreached nodes of behaviour trees",
       searchCommand);
   command.add_option("experiment", options.experiment, "Experiment file; its values are varied")
       ->required();
-  CLI::Option* const worst = command.add_option(
-      "--worst", options.worst, "Find the worst value of this metric (hunavsim list metrics)");
-  command
-      .add_flag("--until-failure", options.untilFailure,
-                "Find failures of the robot; stop at the first one, or when --failures are found")
-      ->excludes(worst);
+  CLI::Option* const cover = addSearchGoals(command, options);
   command.add_option("--runs", options.runs, "Largest number of runs (default: 500)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
   command
@@ -202,7 +264,8 @@ void addSearch(CommandRegistry& commands) {
                   "KEY:LOW:HIGH:CELLS: keep the best run in each cell over two metrics; give two "
                   "(default: final_bearing_to_person in 8 sectors and final_people_near)")
       ->expected(2)
-      ->check(descriptorProblem);
+      ->check(descriptorProblem)
+      ->excludes(cover);
   command.add_option("--search-seed", options.seed, "Seed of the search itself (default: 1)")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--all-contacts", options.allContacts,
@@ -215,7 +278,9 @@ void addSearch(CommandRegistry& commands) {
                 {"hunavsim search study.yaml --until-failure --failures 5 --runs 2000 -o found",
                  "Collect five kinds of failures", "your experiment"},
                 {"hunavsim search study.yaml --worst minimum_distance_to_people -o worst",
-                 "Find the run in which the robot comes closest to a person", "your experiment"}});
+                 "Find the run in which the robot comes closest to a person", "your experiment"},
+                {"hunavsim search study.yaml --cover -o covered",
+                 "Reach as many nodes of the behaviour trees as possible", "your experiment"}});
 }
 
 }  // namespace app

@@ -61,6 +61,7 @@ constexpr OptionLayout kLayouts[] = {
 
     {"--worst", "Search", "KEY", kAny},
     {"--until-failure", "Search", kByType, kAny},
+    {"--cover", "Search", kByType, kAny},
     {"--failures", "Search", "N", kAny},
     {"--runs", "Search", "N", kAny},
     {"--objective", "Search", "KEY[=WEIGHT]", kAny},
