@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "app/report/ContactTables.h"
 #include "app/report/CoverageTable.h"
 #include "app/report/Methods.h"
 #include "app/report/PageParts.h"
@@ -52,8 +53,8 @@ class PageBuilder {
         {"results", &PageBuilder::writeResults},     {"figures", &PageBuilder::writeFigures},
         {"pairs", &PageBuilder::writePairs},         {"cases", &PageBuilder::writeCases},
         {"maps", &PageBuilder::writeRuns},           {"failures", &PageBuilder::writeFailures},
-        {"trees", &PageBuilder::writeTrees},         {"methods", &PageBuilder::writeMethods},
-        {"tables", &PageBuilder::writePage}};
+        {"contacts", &PageBuilder::writeContacts},   {"trees", &PageBuilder::writeTrees},
+        {"methods", &PageBuilder::writeMethods},     {"tables", &PageBuilder::writePage}};
     for (const Step& step : kSteps) {
       reportProgress(step.what);
       (this->*step.work)();
@@ -287,6 +288,8 @@ class PageBuilder {
     return std::all_of(runs.begin(), runs.end(),
                        [this](std::size_t run) { return study_.runFolder(run).has_value(); });
   }
+
+  void writeContacts() { addContactsSection(study_, parts_); }
 
   void writeTrees() {
     if (const std::optional<Table> table = coverageTable(study_.trees, false)) {

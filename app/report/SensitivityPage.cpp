@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/ContactTables.h"
 #include "app/report/Methods.h"
 #include "app/report/PageParts.h"
 #include "app/report/PlayerPage.h"
@@ -210,6 +211,7 @@ class SensitivityPageBuilder {
     for (std::size_t metric = 0; metric < analysis_.metrics.size(); ++metric) {
       writeMetric(metric);
     }
+    addContactsSection(study_, parts_);
     parts_.section("methods", "Methods");
     parts_.body += methods(command);
     parts_.report.moreFiles = {{"sensitivity.json", sensitivityJson(study_, analysis_)},

@@ -9,6 +9,7 @@
 #include "app/run/Design.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/TreeCoverage.h"
+#include "app/studies/ContactReport.h"
 #include "sim2d/base/Result.h"
 
 namespace report {
@@ -103,6 +104,8 @@ struct Study {
   };
   std::optional<Sensitivity> sensitivity;  // from manifest.json
   std::vector<app::CoveredTree> trees;     // coverage, if the batch has it
+  /// Of the completed runs, if they were analysed for the report (app/studies/BatchContacts.h).
+  std::optional<std::vector<app::ContactReport>> contacts;
 
   std::size_t commonPrefixLength = 0;  // length of the common folder of all scenarios
 

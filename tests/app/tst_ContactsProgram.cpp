@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QJsonArray>
 #include <QXmlStreamReader>
 #include <QtTest>
@@ -125,6 +127,39 @@ class ContactsProgramTest : public QObject {
     QVERIFY2(planners.contains("\npursuit,2,4,"), planners.constData());
   }
 
+  /// The tables of the report against those of the analysis before.
+  void report_hasTheContactsOfTheBatch() {
+    QCOMPARE(inFolder(folder_, "report batch --no-pdf -q").exitCode, 0);
+    QVERIFY(!contentOf(folder_.filePath(words("batch/report.html"))).contains("id=\"contacts\""));
+    QVERIFY(!QFile::exists(folder_.filePath(words("batch/tables/contacts.csv"))));
+    const Finished told = inFolder(folder_, "report batch --no-pdf --contacts --jobs 2 -q");
+    QVERIFY2(told.exitCode == 0, qPrintable(told.err));
+    const QByteArray page = contentOf(folder_.filePath(words("batch/report.html")));
+    QVERIFY(page.contains("id=\"contacts\"") && page.contains("report batch --no-pdf --contacts"));
+    QVERIFY(!page.contains("--jobs"));
+    const auto expected = readCsv(folder_.filePath(words("one/contacts.csv")));
+    const auto found = readCsv(folder_.filePath(words("batch/tables/contacts.csv")));
+    QCOMPARE(found.size(), expected.size());
+    QVERIFY(!found.empty());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const auto differs = [&](const char* shown, const char* column) {
+        return found[k].at(words(shown)) != expected[k].at(words(column));
+      };
+      QVERIFY(!differs("Run", "run") && !differs("Person", "person"));
+      QVERIFY(!differs("Could avoid", "could_avoid"));
+      const double until = expected[k].at(words("robot_last_action")).toDouble();
+      QVERIFY(std::fabs(found[k].at(words("Robot until [s]")).toDouble() - until) < 0.0051);
+      QVERIFY(found[k].at(words("Play")).startsWith(words("hunavsim ")));
+    }
+    QCOMPARE(contentOf(folder_.filePath(words("batch/tables/contact_people_runs.csv"))),
+             contentOf(folder_.filePath(words("one/contact_people.csv"))));
+    checkPeople();
+    const auto planners = readCsv(folder_.filePath(words("batch/tables/contact_planners.csv")));
+    QCOMPARE(planners.size(), std::size_t{1});
+    QCOMPARE(planners[0].at(words("Contacts")).toInt(), static_cast<int>(found.size()));
+    QCOMPARE(inFolder(folder_, "report batch --jobs 2").exitCode, 64);  // only with --contacts
+  }
+
   void wrongInput_isRefused() {
     QCOMPARE(inFolder(folder_, "contacts nowhere").exitCode, 2);
     QCOMPARE(inFolder(folder_, "contacts out --lookback 0").exitCode, 64);
@@ -142,6 +177,25 @@ class ContactsProgramTest : public QObject {
   }
 
  private:
+  /// Means per person over the two runs, from the rows of the analysis.
+  void checkPeople() const {
+    const auto rows = readCsv(folder_.filePath(words("one/contact_people.csv")));
+    const auto people = readCsv(folder_.filePath(words("batch/tables/contact_people.csv")));
+    QCOMPARE(people.size(), std::size_t{2});
+    for (const auto& person : people) {
+      double detour = 0.0;
+      int runs = 0;
+      for (const auto& row : rows) {
+        if (row.at(words("person")) == person.at(words("Person"))) {
+          detour += row.at(words("detour")).toDouble();
+          ++runs;
+        }
+      }
+      QCOMPARE(person.at(words("Runs")).toInt(), runs);
+      QVERIFY(std::fabs(person.at(words("Detour [m]")).toDouble() - detour / runs) < 0.0051);
+    }
+  }
+
   QTemporaryDir folder_;
 };
 

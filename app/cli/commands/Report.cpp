@@ -6,9 +6,12 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/ReportFiles.h"
+#include "app/cli/RunProgress.h"
+#include "app/run/Batch.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/OutputFolder.h"
+#include "app/studies/BatchContacts.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -22,7 +25,8 @@ namespace fs = std::filesystem;
 struct ReportOptions {
   report::StudyOptions studyOptions;
   std::string metrics, pareto, weights;  // comma-separated
-  bool noPdf = false;
+  bool noPdf = false, analysesContacts = false;
+  int jobs = processorCount();  // of the analysis of contacts
   bool force = false;
 };
 
@@ -119,16 +123,48 @@ base::Diagnostics parseReportOptions(const ReportOptions& options,
   return problems;
 }
 
+/// Repeats the runs of the batch to analyse their contacts. False: interrupted.
+bool addContacts(const ReportOptions& options, bool quiet, report::Study& study) {
+  ContactReportOptions analysis;
+  analysis.jobs = options.jobs;
+  catchInterrupts();
+  RunProgress progress(quiet, 0, false);
+  progress.setStage("contacts");
+  base::Result<std::vector<ContactReport>> contacts =
+      reportBatchContacts(study.folder, analysis, loadMapImage, wasInterrupted,
+                          [&progress](std::size_t done, std::size_t all) {
+                            progress.setTotal(all);
+                            progress.show(done, done);
+                          });
+  progress.clear();
+  requireFine(contacts.diagnostics());
+  base::Diagnostics incomplete;
+  for (const ContactReport& report : *contacts) {
+    if (!report.problem.empty()) {
+      incomplete.push_back(base::warning("contacts.run-failed", {report.run, report.problem}));
+    }
+  }
+  printDiagnostics(incomplete);
+  study.contacts = *std::move(contacts);
+  return !wasInterrupted();
+}
+
 int reportCommand(const ReportOptions& options, const Invocation& given) {
   report::StudyOptions studyOptions = options.studyOptions;
   requireFine(parseReportOptions(options, studyOptions), ExitWrongCommandLine);
   requireFine(checkBatchFinished(studyOptions.folder));
   Progress progress(given.quiet || given.json);
   progress.show("reading results");
-  const base::Result<report::Study> study = report::readStudy(studyOptions);
+  base::Result<report::Study> study = report::readStudy(studyOptions);
   requireFine(study.diagnostics());
-  std::vector<std::string> words = given.words();
-  words.front() = "hunavsim";
+  if (options.analysesContacts) {
+    progress.clear();
+    if (!addContacts(options, given.quiet || given.json, *study)) {
+      printError("interrupted: no report was written");
+      return ExitRunFailed;
+    }
+  }
+  const std::vector<std::string> words = given.wordsForResults();
   const auto onProgress = [&progress](const std::string& what) { progress.show(what); };
   const base::Result<report::Report> report =
       study->sensitivity ? sensitivityReport(*study, words)
@@ -178,12 +214,20 @@ void addReport(CommandRegistry& commands) {
       .add_option("--resamples", options.studyOptions.resamples,
                   "Bootstrap resamples (default: 2000)")
       ->check(CLI::Range(100, 100000));
+  CLI::Option* const contacts = command.add_flag(
+      "--contacts", options.analysesContacts,
+      "Repeat the runs to analyse each contact: until when and by whom it could have been avoided, "
+      "and what the robots cost each person");
+  addJobs(command, options.jobs);
+  command.get_option("--jobs")->needs(contacts);
   command.add_flag("--no-pdf", options.noPdf, "Write figures as SVG only");
   addForce(command, options.force);
   commands.addExamples(
       command, {{"hunavsim report results", "Write results/report.html", "the folder of a batch"},
                 {"hunavsim report results --metrics spl,time_to_reach_goal",
-                 "Show selected metrics only", "the folder of a batch"}});
+                 "Show selected metrics only", "the folder of a batch"},
+                {"hunavsim report results --contacts",
+                 "Also analyse who could have avoided each contact", "the folder of a batch"}});
 }
 
 }  // namespace app

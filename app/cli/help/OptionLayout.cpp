@@ -119,6 +119,7 @@ constexpr OptionLayout kLayouts[] = {
     {"--method", "Statistics", kByType, "sensitivity"},
     {"--points", "Statistics", "N", "sensitivity"},
     {"--compare", "Statistics", "PATH", kAny},
+    {"--contacts", "Statistics", kByType, kAny},
     {"--pareto", "Statistics", "KEY,KEY", kAny},
     {"--weights", "Statistics", "KEY=WEIGHT,…", kAny},
     {"--level", "Statistics", "0.5…0.999", kAny},
