@@ -387,16 +387,20 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
     isStored = false;
   }
   if (isStored) {
-    if (isMarked) {
-      machineFailures_.insert(run.run);
-    }
-    has_[run.run] = true;
-    ++finished_;
-    if (!run.row.ok) {
-      noteFailure(run.run, run.row.reason);
-    }
+    count(run, isMarked);
   }
   return problems;
+}
+
+void ResultStore::count(const StoredRun& run, bool isMarked) {
+  if (isMarked) {
+    machineFailures_.insert(run.run);
+  }
+  has_[run.run] = true;
+  ++finished_;
+  if (!run.row.ok) {
+    noteFailure(run.run, run.row.reason);
+  }
 }
 
 base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&)>& visit) const {

@@ -110,6 +110,8 @@ class ResultStore {
   base::Diagnostics makeTables(const Study& study);
   base::Diagnostics readStudy();
   base::Diagnostics readRuns();
+  /// Counts a stored run. `isMarked`: it was ended by the machine.
+  void count(const StoredRun& run, bool isMarked);
   void noteFailure(std::size_t run, const std::string& reason);
   base::Diagnostics readMachineFailures();
   bool addTrees(const StoredRun& run) const;

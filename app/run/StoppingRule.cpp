@@ -139,7 +139,7 @@ StoppingCheck::StoppingCheck(const Experiment& experiment)
     std::string option;
     std::string ofCase;
     const auto add = [&](const std::string& path, const std::string& value, bool isOption) {
-      (isOption ? option : ofCase) += path + "=" + value + "\n";
+      (isOption ? option : ofCase).append(path).append("=").append(value).append("\n");
     };
     add(kScenarioPath, std::to_string(run.scenario), rule.ranking == kScenarioPath);
     for (std::size_t k = 0; k < experiment.values.size(); ++k) {

@@ -44,7 +44,7 @@ Weights weightsOf(const Strata& strata) {
     largest = std::max(largest, each.size());
     weights.areIntegers = weights.areIntegers && common <= kMostUnits;
   }
-  long long shared = 0;
+  long long shared = weights.areIntegers ? common : 1;
   for (const Numbers& each : strata) {
     const auto size = static_cast<long long>(each.size()) + 1;
     shared = std::gcd(shared, weights.areIntegers ? common / size : 1);
