@@ -56,21 +56,23 @@ std::string tuneHeadline(const app::TuneOptions& options, const app::TuneResult&
 }
 
 std::string tuneMethodText(const app::TuneOptions& options, const app::TuneResult& result) {
-  return "CMA-ES (Hansen, arXiv:1604.00772) searched " +
-         counted(result.candidates.size() - 1, "candidate") + " in " +
-         std::to_string(result.generations) + " generations with " +
+  return counted(result.candidates.size() - 1, "candidate") + " were compared in " +
          std::to_string(result.searchRuns) +
-         " runs, starting at the present values. Each generation has new seeds. Its candidates "
-         "were "
-         "run on a quarter of " +
+         " runs. In each stage all candidates had the same seeds, which no stage before had: all "
+         "of them ran on one seed of each scenario or more, the best third on half of " +
          std::to_string(options.seeds * static_cast<int>(options.scenarios.size())) +
-         " runs, the best third of them on half, the best sixth on all (successive "
-         "halving). The score is the weighted mean of the objectives relative to the present "
-         "values, which were run with the same seeds; losses of more than " +
+         " runs, the best sixth on all (successive halving). First, single parameters were set to "
+         "their documented defaults and to distant values of their ranges; then the best of these "
+         "changes were combined; then CMA-ES (Hansen, arXiv:1604.00772) varied the parameters with "
+         "the largest effects in " +
+         counted(static_cast<std::size_t>(result.generations), "generation") +
+         ", starting at the best values so far. The score is the weighted mean of the objectives "
+         "relative to the present values, which were run with the same seeds; failures add to it, "
+         "by the share of the distance that was left, and so do losses of more than " +
          percentText(options.maxLoss) +
-         " and additional failures add to it. The last means of the distribution and the best "
-         "candidates were compared on further seeds, "
-         "each change was taken back once, and those without effect were dropped. An improvement "
+         " and additional failures beyond a standard error. The last means of the CMA-ES and the "
+         "best candidates were compared on further seeds; of the best one each change was taken "
+         "back once, and those that do not matter were dropped. An improvement "
          "means: on runs that the search has not seen, an objective or the rate of success is "
          "better with 95 % confidence, no objective is worse by more than " +
          percentText(options.maxLoss) + ", and successes are not fewer with 95 % confidence.";
@@ -103,6 +105,9 @@ PageParts tuneParts(const app::TuneOptions& options, const app::TuneSubject& sub
   parts.add(tuneFrontTable(options, subject, result));
   parts.section("parameters", "Parameters");
   parts.add(tuneParametersTable(subject, result));
+  if (!result.probes.empty()) {
+    parts.add(tuneProbeTable(options, subject, result));
+  }
   parts.section("methods", "Methods");
   parts.body += paragraph(tuneMethodText(options, result)) +
                 provenanceMarkup(context.inputs, context.command);
@@ -144,6 +149,7 @@ TuneJson evaluationJson(const app::TuneOptions& options, const app::TuneSubject&
     TuneJson of = {{"parameter", subject.parameters()[effect.parameter].label()},
                    {"value", effect.value},
                    {"score", base::jsonNumber<TuneJson>(effect.total)},
+                   {"standard_error", base::jsonNumber<TuneJson>(effect.error)},
                    {"kept", effect.isKept}};
     for (std::size_t k = 0; k < effect.differences.size(); ++k) {
       of[options.objectives[k].key] = differenceJson(effect.differences[k]);
@@ -151,6 +157,25 @@ TuneJson evaluationJson(const app::TuneOptions& options, const app::TuneSubject&
     json["effects"].push_back(of);
   }
   return json;
+}
+
+TuneJson probesJson(const app::TuneOptions& options, const app::TuneSubject& subject,
+                    const app::TuneResult& result) {
+  TuneJson all = TuneJson::array();
+  for (const app::TuneProbe& probe : result.probes) {
+    TuneJson of = {{"parameter", subject.parameters()[probe.parameter].label()},
+                   {"from", probe.from},
+                   {"to", probe.to},
+                   {"runs", probe.runs},
+                   {"score", base::jsonNumber<TuneJson>(probe.score.total)},
+                   {"standard_error", base::jsonNumber<TuneJson>(probe.score.error)},
+                   {"failures", base::jsonNumber<TuneJson>(probe.score.failures)}};
+    for (std::size_t k = 0; k < options.objectives.size(); ++k) {
+      of["ratios"][options.objectives[k].key] = base::jsonNumber<TuneJson>(probe.score.ratios[k]);
+    }
+    all.push_back(of);
+  }
+  return all;
 }
 
 TuneJson candidatesJson(const app::TuneOptions& options, const app::TuneResult& result) {
@@ -194,8 +219,11 @@ std::string tuneJson(const app::TuneOptions& options, const app::TuneSubject& su
          {"high", parameter.range.high},
          {"logarithmic", parameter.range.isLogarithmic},
          {"before", parameter.present},
+         {"varied",
+          std::find(result.varied.begin(), result.varied.end(), k) != result.varied.end()},
          {"chosen", result.chosen ? TuneJson((*result.chosen)[k]) : TuneJson()}});
   }
+  json["probes"] = probesJson(options, subject, result);
   json["evaluation"] = evaluationJson(options, subject, result);
   json["candidates"] = candidatesJson(options, result);
   json["inputs"] = TuneJson::array();

@@ -44,6 +44,9 @@ Table tuneEffectsTable(const app::TuneOptions& options, const app::TuneSubject& 
                        const app::TuneResult& result);
 /// All parameters of the search with their ranges and values.
 Table tuneParametersTable(const app::TuneSubject& subject, const app::TuneResult& result);
+/// What changes of single parameters did in the search.
+Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& subject,
+                     const app::TuneResult& result);
 /// The candidates on the front.
 Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& subject,
                      const app::TuneResult& result);

@@ -158,6 +158,40 @@ Table tuneParametersTable(const app::TuneSubject& subject, const app::TuneResult
   return table;
 }
 
+Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& subject,
+                     const app::TuneResult& result) {
+  Table table;
+  table.name = "probes";
+  table.caption =
+      "Single parameters set to their defaults and to distant values, compared with the best "
+      "values "
+      "so far on the same runs (relative; negative is better in the score). Few runs: only large "
+      "effects are certain. The CMA-ES varied the parameters in bold.";
+  table.columns = {{"Parameter", "", false}, {"From", ""}, {"To", ""}, {"Runs", ""}, {"Score", ""},
+                   {"Standard error", ""}};
+  for (const app::TuneObjective& objective : options.objectives) {
+    table.columns.push_back({objective.name, "%"});
+  }
+  table.columns.push_back({"Failures", "%"});
+  for (const app::TuneProbe& probe : result.probes) {
+    TuneCell name{subject.parameters()[probe.parameter].label()};
+    name.bold = std::find(result.varied.begin(), result.varied.end(), probe.parameter) !=
+                result.varied.end();
+    table.rows.push_back({name,
+                          {probe.from},
+                          {probe.to},
+                          {std::to_string(probe.runs)},
+                          {signedPercent(probe.score.total - 1.0)},
+                          percentCell(probe.score.error)});
+    for (std::size_t k = 0; k < options.objectives.size(); ++k) {
+      table.rows.back().push_back(
+          {signedPercent(options.objectives[k].sign * (probe.score.ratios[k] - 1.0))});
+    }
+    table.rows.back().push_back(percentCell(probe.score.failures));
+  }
+  return table;
+}
+
 Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& subject,
                      const app::TuneResult& result) {
   Table table;

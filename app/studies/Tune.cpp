@@ -26,6 +26,7 @@ bool dominates(const TuneScore& a, const TuneScore& b) {
 
 base::Result<TuneResult> Tuner::run() {
   base::Diagnostics problems = start();
+  problems = problems.empty() ? probe() : problems;
   problems = problems.empty() ? search() : problems;
   problems = problems.empty() ? chooseBest() : problems;
   if (problems.empty() && result_.chosen) {
@@ -39,18 +40,10 @@ base::Result<TuneResult> Tuner::run() {
   return std::move(result_);
 }
 
-std::size_t Tuner::finalCount() const {
-  for (const std::size_t factor : {4, 2}) {
-    if (3 * reserve(factor * searchRuns()) <= 2 * options_.runs) {
-      return factor * searchRuns();
-    }
-  }
-  return searchRuns();
-}
-
-TuneRuns Tuner::runsOf(int generation, std::size_t count) const {
+TuneRuns Tuner::newRuns(std::size_t count) {
   TuneRuns runs(count);
-  std::iota(runs.begin(), runs.end(), static_cast<std::size_t>(generation) * searchRuns());
+  std::iota(runs.begin(), runs.end(), nextRun_);
+  nextRun_ += count;
   return runs;
 }
 
@@ -94,24 +87,41 @@ TuneOutcomes Tuner::outcomesOf(const TunedValues& values, const TuneRuns& runs) 
   return outcomes;
 }
 
-TuneScore Tuner::scoreOf(const TunedValues& values, const TuneRuns& runs) const {
-  return scoring_->score(outcomesOf(values, runs), outcomesOf(present_, runs));
-}
-
-TuneRuns Tuner::knownRuns(const TunedValues& values) const {
+TuneRuns Tuner::commonRuns(const TunedValues& a, const TunedValues& b) const {
+  const auto& others = outcomes_.at(b);
   TuneRuns runs;
-  for (const auto& [run, outcome] : outcomes_.at(values)) {
-    runs.push_back(run);
+  for (const auto& [run, outcome] : outcomes_.at(a)) {
+    if (others.count(run) > 0) {
+      runs.push_back(run);
+    }
   }
   return runs;
 }
 
+TuneScore Tuner::scoreOf(const TunedValues& values, const TuneRuns& runs) const {
+  return scoring_->score(outcomesOf(values, runs), outcomesOf(present_, runs));
+}
+
+TuneScore Tuner::searchScore(const TunedValues& values, const TuneRuns& runs) const {
+  return baseScoring_->score(outcomesOf(values, runs), outcomesOf(base_, runs));
+}
+
+void Tuner::setBase(const TunedValues& values) {
+  base_ = values;
+  TuneOutcomes outcomes;
+  for (const auto& [run, outcome] : outcomes_.at(values)) {
+    outcomes.push_back(outcome);
+  }
+  baseScoring_.emplace(options_.objectives, options_.maxLoss, outcomes);
+}
+
 base::Diagnostics Tuner::start() {
   show("present values");
-  const TuneRuns runs = runsOf(0, searchRuns());
-  base::Diagnostics problems = measure({present_}, runs);
+  firstRuns_ = newRuns(searchRuns());
+  base::Diagnostics problems = measure({present_}, firstRuns_);
   if (problems.empty()) {
-    scoring_.emplace(options_.objectives, options_.maxLoss, outcomesOf(present_, runs));
+    setBase(present_);
+    scoring_ = baseScoring_;
     tried_.emplace_back(present_, -1);
   }
   return problems;
@@ -123,12 +133,11 @@ void Tuner::listCandidates() {
     tried_.emplace_back(*result_.chosen, -1);
   }
   for (const auto& [values, generation] : tried_) {
-    if (!listed.insert(values).second) {
-      continue;
+    const TuneRuns runs = commonRuns(values, present_);
+    if (!runs.empty() && listed.insert(values).second) {
+      result_.candidates.push_back(
+          {values, generation, runs.size(), scoreOf(values, runs), isComplete(values), false});
     }
-    const TuneRuns runs = knownRuns(values);
-    result_.candidates.push_back(
-        {values, generation, runs.size(), scoreOf(values, runs), isComplete(values), false});
   }
   std::vector<TuneCandidate>& all = result_.candidates;
   for (TuneCandidate& candidate : all) {

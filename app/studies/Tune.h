@@ -36,11 +36,19 @@ struct TuneOptions {
 /// Values that the search has tried.
 struct TuneCandidate {
   TunedValues values;
-  int generation = -1;   // -1: the values before tuning, or chosen at the end
+  int generation = -1;   // of the CMA-ES; -1: from another stage
   std::size_t runs = 0;  // that it was scored with
   TuneScore score;
   bool isComplete = false;  // scored with all runs of the search
   bool isOnFront = false;   // complete, and no other complete one is at least as good everywhere
+};
+
+/// A change of a single parameter, compared with the values that it was changed from.
+struct TuneProbe {
+  std::size_t parameter = 0;
+  std::string from, to;
+  std::size_t runs = 0;
+  TuneScore score;
 };
 
 /// What a changed parameter contributes: the chosen values compared with the same values without
@@ -49,6 +57,7 @@ struct TuneEffect {
   std::size_t parameter = 0;
   std::string value;                        // of the change
   double total = 0.0;                       // of the score that is lost without the change
+  double error = 0.0;                       // its standard error
   std::vector<TuneDifference> differences;  // per objective: with the change - without it
   bool isKept = true;
 };
@@ -71,6 +80,8 @@ enum class TuneVerdict {
 struct TuneResult {
   TuneVerdict verdict = TuneVerdict::NoCandidate;
   std::vector<TuneCandidate> candidates;  // the values before first, then in order of the trials
+  std::vector<TuneProbe> probes;          // in the order of the trials
+  std::vector<std::size_t> varied;        // parameters that the CMA-ES has varied
   std::optional<TunedValues> chosen;      // by the search
   TuneScore chosenScore;
   std::size_t chosenRuns = 0;
@@ -83,11 +94,16 @@ struct TuneResult {
 /// A stage of tuning: "search", and the number of runs that are planned in all.
 using TuneProgress = std::function<void(const std::string& stage, std::size_t planned)>;
 
-/// Searches with CMA-ES in the ranges of the parameters, starting at the present values. Each
-/// generation has new seeds: its candidates are run on a quarter of them, the better third on half,
-/// the better sixth on all (successive halving; Jamieson & Talwalkar 2016, AISTATS). The last means
-/// of the distribution and the best candidates are compared on further seeds; changes without
-/// effect are taken back. Errors: those of the pool.
+/// Searches in stages; in each one all candidates are run on the same new seeds, the better third
+/// of them on half of the seeds and the better sixth on all (successive halving; Jamieson &
+/// Talwalkar 2016, AISTATS):
+/// 1. each parameter at its documented default, and all of them: finds single bad values;
+/// 2. each parameter at distant values of its range: shows which parameters matter;
+/// 3. the best changes of different parameters together;
+/// 4. CMA-ES on the parameters that matter, starting at the best values so far;
+/// 5. the last means of the distribution and the best candidates on more seeds;
+/// 6. each change taken back alone; those that do not matter are dropped (backward elimination).
+/// Stages that would leave too few runs for the last two are left out. Errors: those of the pool.
 base::Result<TuneResult> tune(const TuneOptions& options, const TuneSubject& subject, RunPool& pool,
                               const TuneProgress& showStage = {});
 

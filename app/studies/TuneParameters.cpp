@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
@@ -118,14 +117,15 @@ std::string TunedParameter::textAt(double share) const {
   const double part = std::clamp(share, 0.0, 1.0);
   const double value = range.isLogarithmic ? range.low * std::pow(range.high / range.low, part)
                                            : range.low + part * (range.high - range.low);
-  if (isInteger) {
-    return std::to_string(std::llround(value));
-  }
   // Three significant digits of the larger of value and range, so that 0 is not 1e-17.
   const double size = std::max(std::fabs(value), 1e-3 * (range.high - range.low));
   const int decimals = std::max(1, 2 - static_cast<int>(std::floor(std::log10(size))));
   const double scale = std::pow(10.0, decimals);
-  return base::formatDecimals(std::round(value * scale) / scale, 1);  // "3.0": a double of ROS 2
+  return textOf(isInteger ? value : std::round(value * scale) / scale);
+}
+
+std::string TunedParameter::textOf(double value) const {
+  return isInteger ? std::to_string(std::llround(value)) : base::formatDecimals(value, 1);
 }
 
 double TunedParameter::shareOf(double value) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,9 +41,12 @@ struct TunedParameter {
   bool isInteger = false;
   std::string present;  // the value before tuning, as text
   double presentNumber = 0.0;
+  std::optional<double> fallback;  // the default in the code of the controller or planner
 
   /// The value at a share in [0, 1] of the range, with three significant digits.
   std::string textAt(double share) const;
+  /// A value as text: a double of ROS 2 has a decimal point.
+  std::string textOf(double value) const;
   /// The share of a value in the range, at most 1.
   double shareOf(double value) const;
   /// "controller_server: FollowPath.vx_std".

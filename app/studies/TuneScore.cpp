@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "metrics/MetricRegistry.h"
@@ -13,14 +12,29 @@ namespace app {
 
 namespace {
 
-constexpr double kLossWeight = 5.0;     // of a loss beyond the accepted one
-constexpr double kFailureWeight = 3.0;  // of additional failures
-constexpr double kUndefinedTime = 2.0;  // times the longer run
+constexpr double kLossWeight = 5.0;          // of a loss beyond the accepted one
+constexpr double kMoreFailuresWeight = 3.0;  // of an increase of the share of failures
+constexpr double kUndefinedTime = 2.0;       // times the mean time of the reference
 
-double failureShare(const TuneOutcomes& outcomes, const std::vector<std::size_t>& runs) {
-  const auto failed = std::count_if(runs.begin(), runs.end(),
-                                    [&](std::size_t run) { return !outcomes[run].isSuccess; });
-  return static_cast<double>(failed) / static_cast<double>(runs.size());
+/// A mean of paired differences with its standard error; 0 for a single one.
+struct PairedMean {
+  double mean = 0.0, error = 0.0;
+};
+
+PairedMean pairedMean(const statistics::Numbers& differences) {
+  if (differences.empty()) {
+    return {};
+  }
+  const double count = static_cast<double>(differences.size());
+  const double error =
+      differences.size() > 1 ? statistics::standardDeviation(differences) / std::sqrt(count) : 0.0;
+  return {statistics::mean(differences), error};
+}
+
+double failureShare(const TuneOutcomes& outcomes) {
+  const auto failed = std::count_if(outcomes.begin(), outcomes.end(),
+                                    [](const TuneOutcome& each) { return !each.isSuccess; });
+  return static_cast<double>(failed) / static_cast<double>(outcomes.size());
 }
 
 }  // namespace
@@ -55,6 +69,7 @@ TuneOutcome outcomeOf(const ResultRow& row, const std::vector<TuneObjective>& ob
   TuneOutcome outcome;
   outcome.isSuccess = !isUnsuccessful(row);
   outcome.simulated = base::parseDouble(row.simulated).value_or(0.0);
+  outcome.remaining = std::clamp(numberOf(row, kRemainingKey).value_or(1.0), 0.0, 1.0);
   for (const TuneObjective& objective : objectives) {
     const bool isRate = std::find(std::begin(kSuccessKeys), std::end(kSuccessKeys),
                                   objective.key) != std::end(kSuccessKeys);
@@ -66,67 +81,79 @@ TuneOutcome outcomeOf(const ResultRow& row, const std::vector<TuneObjective>& ob
 }
 
 bool TuneScore::isAcceptable(double maxLoss) const {
-  return failures <= failuresBefore && std::all_of(ratios.begin(), ratios.end(), [&](double ratio) {
-           return ratio <= 1.0 + maxLoss;
-         });
+  return failures <= failuresBefore + failureError &&
+         std::all_of(ratios.begin(), ratios.end(),
+                     [&](double ratio) { return ratio <= 1.0 + maxLoss; });
 }
 
 TuneScoring::TuneScoring(std::vector<TuneObjective> objectives, double maxLoss,
-                         const TuneOutcomes& before)
+                         const TuneOutcomes& reference)
     : objectives_(std::move(objectives)), maxLoss_(maxLoss) {
   for (std::size_t k = 0; k < objectives_.size(); ++k) {
-    statistics::Numbers values;
-    for (const TuneOutcome& outcome : before) {
+    statistics::Numbers values, durations;
+    for (const TuneOutcome& outcome : reference) {
       if (!std::isnan(outcome.values[k])) {
         values.push_back(outcome.values[k]);
-      } else if (objectives_[k].unit == "s") {
-        values.push_back(kUndefinedTime * outcome.simulated);
       }
+      durations.push_back(outcome.simulated);
+    }
+    if (values.empty() && objectives_[k].unit == "s") {
+      values = durations;
     }
     const double size = values.empty() ? 0.0 : std::fabs(statistics::mean(values));
     scales_.push_back(size > 0.0 ? size : 1.0);
+    weights_ += objectives_[k].weight;
   }
 }
 
-TuneScore TuneScoring::score(const TuneOutcomes& tuned, const TuneOutcomes& before,
-                             const std::vector<std::size_t>& runs) const {
+double TuneScoring::timeOf(const TuneOutcome& run, const TuneOutcome& other,
+                           std::size_t objective) const {
+  if (!std::isnan(run.values[objective])) {
+    return run.values[objective];
+  }
+  const double others =
+      std::isnan(other.values[objective]) ? other.simulated : other.values[objective];
+  return std::max({run.simulated, others, kUndefinedTime * scales_[objective]});
+}
+
+double TuneScoring::changeOf(const TuneOutcome& tuned, const TuneOutcome& reference,
+                             std::size_t objective) const {
+  const bool isTime = objectives_[objective].unit == "s";
+  const double after = isTime ? timeOf(tuned, reference, objective) : tuned.values[objective];
+  const double before = isTime ? timeOf(reference, tuned, objective) : reference.values[objective];
+  return objectives_[objective].sign * (after - before) / scales_[objective];
+}
+
+TuneScore TuneScoring::score(const TuneOutcomes& tuned, const TuneOutcomes& reference) const {
   TuneScore score;
-  score.failures = failureShare(tuned, runs);
-  score.failuresBefore = failureShare(before, runs);
-  const double more = score.failures - score.failuresBefore;
-  double weights = 0.0;
+  score.failures = failureShare(tuned);
+  score.failuresBefore = failureShare(reference);
+  statistics::Numbers totals, failures;
+  for (std::size_t run = 0; run < tuned.size(); ++run) {
+    totals.push_back(tuned[run].severity() - reference[run].severity());
+    failures.push_back((tuned[run].isSuccess ? 0.0 : 1.0) - (reference[run].isSuccess ? 0.0 : 1.0));
+  }
+  score.total = statistics::mean(totals);
   for (std::size_t k = 0; k < objectives_.size(); ++k) {
-    const TuneObjective& objective = objectives_[k];
-    statistics::Numbers differences;
-    for (const std::size_t run : runs) {
-      double after = tuned[run].values[k], value = before[run].values[k];
-      if (objective.unit == "s") {
-        const double undefined =
-            kUndefinedTime * std::max(tuned[run].simulated, before[run].simulated);
-        after = std::isnan(after) ? undefined : after;
-        value = std::isnan(value) ? undefined : value;
-      }
-      if (!std::isnan(after - value)) {
-        differences.push_back(after - value);
+    const double share = objectives_[k].weight / weights_;
+    statistics::Numbers changes;
+    for (std::size_t run = 0; run < tuned.size(); ++run) {
+      const double change = changeOf(tuned[run], reference[run], k);
+      if (!std::isnan(change)) {
+        changes.push_back(change);
+        totals[run] += share * change;
       }
     }
-    const double change = differences.empty() ? 0.0 : statistics::mean(differences);
-    score.ratios.push_back(1.0 + objective.sign * change / scales_[k]);
-    score.total += objective.weight * score.ratios.back();
-    weights += objective.weight;
+    const PairedMean change = pairedMean(changes);
+    score.ratios.push_back(1.0 + change.mean);
+    score.total += share * score.ratios.back() +
+                   kLossWeight * std::max(0.0, change.mean - maxLoss_ - change.error);
   }
-  score.total /= weights;
-  for (const double ratio : score.ratios) {
-    score.total += kLossWeight * std::max(0.0, ratio - 1.0 - maxLoss_);
-  }
-  score.total += more > 0.0 ? kFailureWeight * more : more;
+  const PairedMean more = pairedMean(failures);
+  score.failureError = more.error;
+  score.total += kMoreFailuresWeight * std::max(0.0, more.mean - more.error);
+  score.error = pairedMean(totals).error;
   return score;
-}
-
-TuneScore TuneScoring::score(const TuneOutcomes& tuned, const TuneOutcomes& before) const {
-  std::vector<std::size_t> runs(std::min(tuned.size(), before.size()));
-  std::iota(runs.begin(), runs.end(), std::size_t{0});
-  return score(tuned, before, runs);
 }
 
 TuneDifference differenceOf(const TuneOutcomes& tuned, const TuneOutcomes& before,

@@ -21,49 +21,66 @@ struct TuneObjective {
 /// without a direction, invalid weight.
 base::Result<TuneObjective> tuneObjective(const std::string& text);
 
+/// The metric that grades failures: the share of the distance to the goal that is left.
+constexpr char kRemainingKey[] = "goal_traversal_ratio";
+
 /// What counts of a run.
 struct TuneOutcome {
   bool isSuccess = false;
   double simulated = 0.0;      // duration [s]
   std::vector<double> values;  // per objective; NaN: undefined
+  double remaining = 1.0;      // share of the distance to the goal at the end, in [0, 1]
+
+  /// 0 for a success, otherwise 0.5 (failed at the goal) to 1 (did not come nearer). Values that
+  /// never succeed are comparable by it.
+  double severity() const { return isSuccess ? 0.0 : 0.5 + 0.5 * remaining; }
 };
 using TuneOutcomes = std::vector<TuneOutcome>;
 /// Values of a run without success are undefined, except success itself: the run is incomplete.
 TuneOutcome outcomeOf(const ResultRow& row, const std::vector<TuneObjective>& objectives);
 
-/// Some values compared with those before, on the same runs.
+/// Some values compared with reference values, on the same runs.
 struct TuneScore {
-  /// Per objective: 1 + change / value before, in the direction in which smaller is better; 0.9 is
-  /// an improvement by 10 %. A value before of 0 counts as 1.
+  /// Per objective: 1 + change / reference value, in the direction in which smaller is better; 0.9
+  /// is an improvement by 10 %. A reference value of 0 counts as 1.
   std::vector<double> ratios;
   double failures = 0.0, failuresBefore = 0.0;  // share of the runs
-  double total = 0.0;                           // smaller is better; before: 1
+  double failureError = 0.0;                    // standard error of their difference, paired
+  double total = 0.0;                           // smaller is better; the reference: 1
+  double error = 0.0;                           // standard error of the total, paired
 
-  /// No more failures than before, and no objective worse by more than this share.
+  /// Not more failures than before by more than a standard error, and no objective worse by more
+  /// than this share.
   bool isAcceptable(double maxLoss) const;
 };
 
-/// Compares runs. One instance for a study; the values before define the scales.
+/// Compares runs with those of reference values, which define the scales.
 class TuneScoring {
  public:
-  /// `before`: outcomes of all runs with the values before.
-  TuneScoring(std::vector<TuneObjective> objectives, double maxLoss, const TuneOutcomes& before);
+  /// `reference`: outcomes of all runs with the reference values.
+  TuneScoring(std::vector<TuneObjective> objectives, double maxLoss, const TuneOutcomes& reference);
 
-  /// Scores the outcomes of the runs with these numbers. The total is the weighted mean of the
-  /// ratios, plus 5 times the loss beyond the accepted one, plus 3 times the increase of the share
-  /// of failures or minus its decrease. An undefined time of a run counts as twice the longer of
-  /// the two runs (as PAR2 of algorithm configuration; Hutter et al. 2009, JAIR 36); other
-  /// undefined values exclude the pair.
-  TuneScore score(const TuneOutcomes& tuned, const TuneOutcomes& before,
-                  const std::vector<std::size_t>& runs) const;
-  TuneScore score(const TuneOutcomes& tuned, const TuneOutcomes& before) const;  // all runs
+  /// Scores the outcomes of the same runs. The total is the weighted mean of the ratios, plus the
+  /// difference of the mean severities of failures, plus 5 times the loss beyond the accepted one
+  /// and 3 times the increase of the share of failures. The last two count only what exceeds a
+  /// standard error: with few runs, chance exceeds any limit, and the penalties would hide the
+  /// differences between candidates. An undefined time of a run counts as its duration, at least as
+  /// the time of the other run and twice the mean time of the reference (as PAR2 of algorithm
+  /// configuration, but bounded; Hutter et al. 2009, JAIR 36); other undefined values exclude the
+  /// pair.
+  TuneScore score(const TuneOutcomes& tuned, const TuneOutcomes& reference) const;
 
   const std::vector<TuneObjective>& objectives() const { return objectives_; }
-  double maxLoss() const { return maxLoss_; }
 
  private:
+  /// In the direction in which smaller is better, in units of the reference value.
+  double changeOf(const TuneOutcome& tuned, const TuneOutcome& reference,
+                  std::size_t objective) const;
+  double timeOf(const TuneOutcome& run, const TuneOutcome& other, std::size_t objective) const;
+
   std::vector<TuneObjective> objectives_;
   double maxLoss_;
+  double weights_ = 0.0;  // their sum
   std::vector<double> scales_;
 };
 

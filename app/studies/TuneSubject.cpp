@@ -218,6 +218,7 @@ base::Diagnostics TuneSubject::openNav2(const TuningList& list, const std::strin
     tuned.node = found->node;
     tuned.name = found->name;
     tuned.present = found->value();
+    tuned.fallback = base::parseDouble(found->fallback);
     parameters_.push_back(std::move(tuned));
     if (!textWith(parameters_.size() - 1, text_, parameters_.back().textAt(0.5))) {
       problems.push_back(base::warning("tune.not-writable", {parameters_.back().label()}, path_));
@@ -266,6 +267,7 @@ base::Diagnostics TuneSubject::openPlanner(const TuningList& list) {
     TunedParameter tuned = tunedParameter(range, *value, false);
     tuned.name = range.name;
     tuned.present = given != nullptr ? given->second : base::formatDouble(*value);
+    tuned.fallback = fallback != nullptr ? std::optional(*fallback) : std::nullopt;
     parameters_.push_back(std::move(tuned));
   }
   return problems;

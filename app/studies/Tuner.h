@@ -17,6 +17,13 @@ constexpr double kLeastImprovement = 0.01;  // of the score, to choose a candida
 /// Numbers of runs of a candidate: run k has scenario k mod scenarios.
 using TuneRuns = std::vector<std::size_t>;
 
+/// A step of successive halving: candidates that are left, and runs of each so far.
+struct Rung {
+  std::size_t candidates = 0, runs = 0;
+};
+/// Runs of all candidates in these steps together.
+std::size_t costOf(const std::vector<Rung>& rungs);
+
 /// The state of tune(). Private to this folder: use tune().
 class Tuner {
  public:
@@ -26,59 +33,97 @@ class Tuner {
         subject_(subject),
         pool_(pool),
         showStage_(showStage),
-        present_(subject.present()) {}
+        present_(subject.present()),
+        base_(present_) {}
 
   base::Result<TuneResult> run();
 
  private:
   // Tune.cpp: common to all stages.
-  /// Runs per candidate in a generation. Run k has scenario k mod scenarios; each generation has
-  /// other runs, so that the search does not adapt to the seeds.
+  /// Runs of a candidate that stays to the end of a race.
   std::size_t searchRuns() const {
     return options_.scenarios.size() * static_cast<std::size_t>(options_.seeds);
   }
-  /// Runs of the final comparisons at most, with this many runs per candidate.
-  std::size_t reserve(std::size_t runs) const;
-  /// Runs per candidate in the final comparisons.
-  std::size_t finalCount() const;
-  /// The runs of a generation, or of the final comparisons after the last one.
-  TuneRuns runsOf(int generation, std::size_t count) const;
-  TuneRuns finalRuns() const { return runsOf(result_.generations, finalCount()); }
   std::size_t heldOutRuns() const {
     return options_.heldOut.size() * static_cast<std::size_t>(options_.heldOutSeeds);
   }
+  /// Runs that no candidate has had yet, so that the search does not adapt to single seeds.
+  TuneRuns newRuns(std::size_t count);
   void show(const std::string& stage) const;
   /// Executes these runs of these values, those that are not yet known.
   base::Diagnostics measure(const std::vector<TunedValues>& which, const TuneRuns& runs);
   TuneOutcomes outcomesOf(const TunedValues& values, const TuneRuns& runs) const;
+  /// The known runs of both.
+  TuneRuns commonRuns(const TunedValues& a, const TunedValues& b) const;
+  /// Relative to the values before tuning, and to the base of the search.
   TuneScore scoreOf(const TunedValues& values, const TuneRuns& runs) const;
-  TuneRuns knownRuns(const TunedValues& values) const;
+  TuneScore searchScore(const TunedValues& values, const TuneRuns& runs) const;
   base::Diagnostics start();
+  /// Makes these values the base: those that candidates are compared with and derived from.
+  void setBase(const TunedValues& values);
   /// All tried values with their scores, each once, and the front of the complete ones.
   void listCandidates();
 
-  // TuneSearch.cpp: candidates.
+  // TuneRacing.cpp: comparisons of candidates.
+  /// All candidates on at least one seed of each scenario, the better third on half of the seeds,
+  /// the better sixth on all.
+  std::vector<Rung> searchRungs(std::size_t candidates) const;
+  /// The first rung has a quarter of the runs, the last one three candidates and all runs.
+  std::vector<Rung> finalRungs(std::size_t candidates) const;
+  /// Runs of a race of candidates, the base and the values before included.
+  std::size_t raceCost(const std::vector<Rung>& rungs) const;
+  /// Whether these runs leave enough for the final comparisons.
+  bool canAfford(std::size_t runs) const;
+  /// Runs of the final comparisons at most, with this many runs of each finalist.
+  std::size_t reserve(std::size_t runs) const;
+  /// Runs of a finalist.
+  std::size_t finalCount() const;
+  /// Runs the candidates and the base on the first of these runs, the better ones on more of them
+  /// (successive halving), and the values before on those of the first rung. Indices of the
+  /// candidates, the best first.
+  base::Result<std::vector<std::size_t>> race(const std::vector<TunedValues>& candidates,
+                                              const std::vector<Rung>& rungs, const TuneRuns& runs);
+
+  // TuneProbe.cpp: single parameters, and which of them matter.
+  base::Diagnostics probe();
+  TunedValues with(TunedValues values, std::size_t parameter, const std::string& text) const;
+  /// The base with one parameter at its default, for each; and with all of them.
+  std::vector<TunedValues> defaultCandidates() const;
+  /// The base with one parameter at values that are far from the present one.
+  std::vector<TunedValues> rangeCandidates() const;
+  /// Races the candidates and notes what the changes of single parameters do. `gain`: of the best
+  /// candidate, if that has become the base.
+  base::Diagnostics probeAll(const std::vector<TunedValues>& candidates, double& gain);
+  void note(const std::vector<TunedValues>& candidates, const TuneRuns& runs);
+  /// Races the best changes of different parameters, alone and together; the best set becomes the
+  /// base.
+  base::Diagnostics combine();
+  /// The parameters that the CMA-ES varies: those of the base that have changed, and those with
+  /// the largest effects.
+  std::vector<std::size_t> screened() const;
+
+  // TuneSearch.cpp: the CMA-ES.
   TunedValues valuesAt(const Point& point) const;
   base::Diagnostics search();
-  /// Successive halving of the candidates of a generation.
   base::Diagnostics searchGeneration(RestartedCmaEs& cma);
   bool isComplete(const TunedValues& values) const {
     return outcomes_.at(values).size() >= searchRuns();
   }
-  /// The last means of the distribution, which average over many noisy scores, and the complete
-  /// candidates with the best scores.
+
+  // TuneChoice.cpp: the choice, and which of its changes matter.
+  /// The base, the last means of the distribution, which average over many noisy scores, and the
+  /// complete candidates with the best scores.
   std::vector<TunedValues> finalists() const;
   base::Diagnostics chooseBest();
   void choose(const TunedValues& values);
-
-  // TuneEvaluation.cpp: effects of the changes, and runs that the search has not seen.
-  TunedValues without(TunedValues values, std::size_t parameter) const;
-  /// Each change alone taken back; then those without effect together.
+  /// Each change alone taken back.
   base::Diagnostics measureEffects();
   /// The values with the changes of the first `count` effects.
   TunedValues withEffects(const TunedValues& full, std::size_t count) const;
   /// Takes back changes without effect if that loses nothing, and those beyond the limit.
-  base::Diagnostics simplify(const TunedValues& full);
+  base::Diagnostics simplify(const TunedValues& full, const TuneScoring& scoring);
+
+  // TuneEvaluation.cpp: runs that the search has not seen.
   base::Diagnostics evaluate();
   void compareHeldOut(const TuneOutcomes& before, const TuneOutcomes& tuned);
   std::vector<TuneDifference> differencesOf(const TuneOutcomes& tuned, const TuneOutcomes& before,
@@ -91,10 +136,15 @@ class Tuner {
   RunPool& pool_;
   const TuneProgress& showStage_;
   const TunedValues present_;
-  std::optional<TuneScoring> scoring_;
+  TunedValues base_;
+  std::optional<TuneScoring> scoring_, baseScoring_;
   std::map<TunedValues, std::map<std::size_t, TuneOutcome>> outcomes_;  // by run
-  std::vector<std::pair<TunedValues, int>> tried_;                      // with their generation
-  std::vector<TunedValues> means_;  // of the distribution, by generation
+  std::size_t nextRun_ = 0;
+  TuneRuns firstRuns_, finalRuns_;
+  std::vector<std::pair<TunedValues, int>> tried_;  // with their generation
+  std::vector<TuneProbe> probes_;                   // of the present base
+  std::vector<std::size_t> varied_;                 // parameters of the CMA-ES
+  std::vector<TunedValues> means_;                  // of the distribution, by generation
   TuneResult result_;
 };
 

@@ -66,6 +66,13 @@ class TuneTest : public QObject {
                                         "hunavsim_tuning: 1\nplanners:\n  pursuit:\n"
                                         "    lookahead: {range: [0.1, 3.0], scale: log}\n"));
   }
+  app::TuningList threeParameters() const {
+    return *app::readTuningList(written("three.yaml",
+                                        "hunavsim_tuning: 1\nplanners:\n  pursuit:\n"
+                                        "    lookahead: {range: [0.1, 3.0], scale: log}\n"
+                                        "    slow_distance: {range: [0.5, 4.0], scale: log}\n"
+                                        "    stop_distance: {range: [0.2, 1.5], scale: log}\n"));
+  }
   app::TuneOptions options(const std::string& scenario) const {
     app::TuneOptions options;
     options.scenarios = options.heldOut = {scenario};
@@ -245,31 +252,63 @@ class TuneTest : public QObject {
     QCOMPARE(scoring.score(before, before).total, 1.0);
   }
 
-  /// By hand: the undefined time counts as 2 x 40 s against 20 s, in a mean of 15 s: ratio 3. Half
-  /// of the runs fail more: 3 x 0.5.
+  /// By hand: the undefined time counts as the 40 s of the run (more than 20 s of the other one and
+  /// than twice the mean of 15 s), so the times change by 0 and 20 s: ratio 1 + 10/15. The failure
+  /// has severity 1 in one of two runs. Standard errors of (0, x): x / 2, so that neither the loss
+  /// nor the failure exceeds its own.
   void score_failureAndUndefinedTime_count() {
     const app::TuneOutcomes before = {outcome(true, 10.0, {10.0}), outcome(true, 20.0, {20.0})};
     const app::TuneScoring scoring({*app::tuneObjective("time_to_reach_goal")}, 0.05, before);
     const app::TuneScore score =
         scoring.score({outcome(true, 10.0, {10.0}), outcome(false, 40.0, {kNone})}, before);
-    QVERIFY(std::abs(score.ratios[0] - 3.0) < 1e-12);
-    QVERIFY(std::abs(score.total - (3.0 + 5.0 * 1.95 + 1.5)) < 1e-12);
+    QVERIFY(std::abs(score.ratios[0] - (1.0 + 10.0 / 15.0)) < 1e-12);
+    QVERIFY(std::abs(score.failureError - 0.5) < 1e-12);
+    QVERIFY(std::abs(score.total - (1.0 + 10.0 / 15.0 + 0.5)) < 1e-12);
+    QVERIFY(std::abs(score.error - (20.0 / 15.0 + 1.0) / 2.0) < 1e-12);
     QVERIFY(!score.isAcceptable(0.05));
+  }
+
+  /// By hand: all four runs take 20 % longer, without spread: 0.15 beyond the accepted loss. All
+  /// fail in the second case: 3 times the increase by 1, and severity 1.
+  void score_certainLosses_arePenalised() {
+    const app::TuneOutcomes before(4, outcome(true, 10.0, {10.0}));
+    const app::TuneScoring scoring({*app::tuneObjective("time_to_reach_goal")}, 0.05, before);
+    const app::TuneScore slow =
+        scoring.score(app::TuneOutcomes(4, outcome(true, 12.0, {12.0})), before);
+    QVERIFY(std::abs(slow.total - (1.2 + 5.0 * 0.15)) < 1e-12);
+    const app::TuneScore failed =
+        scoring.score(app::TuneOutcomes(4, outcome(false, 5.0, {kNone})), before);
+    QVERIFY(std::abs(failed.total - (2.0 + 5.0 * 0.95 + 1.0 + 3.0)) < 1e-12);
+  }
+
+  /// By hand: no run arrives, but the share of the distance that is left is 0.2 instead of 1:
+  /// severities 0.6 and 1.
+  void score_failuresNearerToTheGoal_areBetter() {
+    app::TuneOutcome far = outcome(false, 60.0, {kNone}), near = far;
+    near.remaining = 0.2;
+    const app::TuneOutcomes before(3, far);
+    const app::TuneScoring scoring({*app::tuneObjective("time_to_reach_goal")}, 0.05, before);
+    QVERIFY(std::abs(scoring.score(app::TuneOutcomes(3, near), before).total - 0.6) < 1e-12);
+    QVERIFY(scoring.score(app::TuneOutcomes(3, outcome(true, 20.0, {20.0})), before).total < 0.3);
   }
 
   void outcome_ofAFailedRun_isUndefined() {
     app::ResultRow row;
     row.ok = true;
     row.simulated = "12.5";
-    row.fields = {{"success", "False"}, {"intimate_space_intrusions", "3.0"}};
+    row.fields = {{"success", "False"},
+                  {"intimate_space_intrusions", "3.0"},
+                  {"goal_traversal_ratio", "0.25"}};
     const std::vector<app::TuneObjective> of = {*app::tuneObjective("intimate_space_intrusions"),
                                                 *app::tuneObjective("success")};
     const app::TuneOutcome failed = app::outcomeOf(row, of);
     QVERIFY(!failed.isSuccess && std::isnan(failed.values[0]));
     QCOMPARE(failed.values[1], 0.0);
     QCOMPARE(failed.simulated, 12.5);
+    QCOMPARE(failed.severity(), 0.625);
     row.fields[0].second = "True";
     QCOMPARE(app::outcomeOf(row, of).values[0], 3.0);
+    QCOMPARE(app::outcomeOf(row, of).severity(), 0.0);
   }
 
   void improvement_needsConfidence() {
@@ -308,6 +347,44 @@ class TuneTest : public QObject {
     const std::string changed = *tuned.textWith(*result->chosen);
     QCOMPARE(changedLines(text(scenario), changed), std::size_t{1});
     QVERIFY(changed.find("  # short") != std::string::npos);
+  }
+
+  /// The default is among the first candidates; the list has two parameters that do not matter.
+  void search_singleBadLine_isFoundByItsDefault() {
+    const std::string scenario = scene(
+        "      planner_parameters:\n        lookahead: 3.0  # far\n"
+        "        slow_distance: 0.6\n");
+    app::TuneOptions of = options(scenario);
+    of.objectives = {*app::tuneObjective("path_length")};
+    of.maxChanges = 1;
+    const app::TuneSubject tuned = subject(scenario, threeParameters());
+    QCOMPARE(*tuned.parameters()[0].fallback, 0.6);
+    const auto result = app::tune(of, tuned, *pool(2));
+    QVERIFY(bool(result));
+    QVERIFY(!result->probes.empty());
+    QCOMPARE(result->probes.front().from, std::string("3.0"));
+    QCOMPARE(result->probes.front().to, std::string("0.6"));
+    QVERIFY(result->chosen.has_value());
+    QCOMPARE(changedLines(text(scenario), *tuned.textWith(*result->chosen)), std::size_t{1});
+  }
+
+  /// The limit of the runs is kept whatever it is.
+  void search_limitOfRuns_isKept_data() {
+    QTest::addColumn<int>("runs");
+    for (const int runs : {24, 40, 70, 130}) {
+      QTest::newRow(std::to_string(runs).c_str()) << runs;
+    }
+  }
+  void search_limitOfRuns_isKept() {
+    QFETCH(int, runs);
+    const std::string scenario = scene("      planner_parameters:\n        lookahead: 0.2\n");
+    app::TuneOptions of = options(scenario);
+    of.seeds = 1;
+    of.runs = static_cast<std::size_t>(runs);
+    const auto result = app::tune(of, subject(scenario, threeParameters()), *pool(2));
+    QVERIFY(bool(result));
+    QVERIFY2(result->searchRuns <= of.runs, std::to_string(result->searchRuns).c_str());
+    QVERIFY(result->chosen.has_value());
   }
 
   void search_anyJobs_andResumed_areEqual() {

@@ -73,6 +73,7 @@ TuneSubject subjectOf(const TuneArguments& arguments, const TuneOptions& options
   for (const TuneObjective& objective : options.objectives) {
     keys.push_back(objective.key);
   }
+  keys.emplace_back(kRemainingKey);
   spec.metrics = base::join(keys, ",");  // computing the others takes longer
   std::vector<std::string> scenarios = options.scenarios;
   scenarios.insert(scenarios.end(), options.heldOut.begin(), options.heldOut.end());
@@ -223,7 +224,7 @@ void addTune(CommandRegistry& commands) {
         "--objective intimate_space_intrusions --runs 1000 -o tuned",
         "Only make the robot keep its distance; evaluate in another scene",
         "your file, some minutes"},
-       {"hunavsim tune crossing_agents --planner pursuit --seeds 1 --runs 20 --held-out-seeds 3 -o "
+       {"hunavsim tune crossing_agents --planner pursuit --seeds 1 --runs 60 --held-out-seeds 3 -o "
         "tuned",
         "Tune a planner of this program, with few runs"}});
 }
