@@ -223,6 +223,13 @@ class SearchProgramTest : public QObject {
     }
   }
 
+  void cover_shippedExperiment_isValid() {
+    const Finished done =
+        runProgram("check %", {text(SOURCE_DIR "/maps/library/nav2_recoveries.yaml")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    QVERIFY2(done.err.isEmpty(), qPrintable(done.err));
+  }
+
   void cover_withoutTrees_isReported() {
     writeText(at("empty.yaml"), people().replace("agents: [anna, ben]", "agents: []"));
     writeText(at("cover_empty.yaml"),
