@@ -191,6 +191,7 @@ TuneJson candidatesJson(const app::TuneOptions& options, const app::TuneResult& 
                    {"score", base::jsonNumber<TuneJson>(candidate.score.total)},
                    {"ratios", ratios},
                    {"failures", base::jsonNumber<TuneJson>(candidate.score.failures)},
+                   {"complete", candidate.isComplete},
                    {"on_front", candidate.isOnFront}});
   }
   return all;

@@ -203,9 +203,12 @@ void MainWindow::connectFiles() {
             }
           });
   connect(&study, &StudyPanel::saveRequested, files, &FileCommands::save);
-  connect(files, &FileCommands::studyOpened, this, [this](const QString& experiment) {
+  connect(files, &FileCommands::studyOpened, this, [this](const QString& path) {
+    if (isOnStartPage()) {
+      files_->newOpenPlane();
+    }
     showDock(QStringLiteral("study"));
-    docks_->panel<StudyPanel>().openFile(experiment);
+    docks_->panel<StudyPanel>().openFile(path);
   });
   editor::ScenarioDocument& document = workspace_.document();
   connect(&document, &editor::ScenarioDocument::aboutToBeReplaced, this,

@@ -263,8 +263,8 @@ void askBeforeExternalCode(StudyPanel& study, NoticeBar& notices) {
                        notices.drop(studyCodeNoticeId());
                        return;
                      }
-                     warnOfCode(notices, studyCodeNoticeId(), QFileInfo(study.file()).fileName(),
-                                code, [&study, code] { study.allowCode(code); });
+                     warnOfCode(notices, studyCodeNoticeId(), study.shownName(), code,
+                                [&study, code] { study.allowCode(code); });
                    });
 }
 

@@ -5692,10 +5692,6 @@ Elegir qué muestra el mapa</translation>
         <translation>Repite muchas veces el resto de la ejecución desde el momento mostrado e indica con qué frecuencia hay un contacto.</translation>
     </message>
     <message>
-        <source>Runs scenarios with several planners and seeds and compares them with confidence intervals in a report.</source>
-        <translation>Ejecuta escenarios con varios planificadores y semillas y los compara con intervalos de confianza en un informe.</translation>
-    </message>
-    <message>
         <source>What the map shows: people, routes, sensor data, costmaps and other layers, each with its opacity.</source>
         <translation>Lo que muestra el mapa: personas, rutas, datos de sensores, mapas de costes y otras capas, cada una con su opacidad.</translation>
     </message>
@@ -5718,6 +5714,10 @@ Elegir qué muestra el mapa</translation>
     <message>
         <source>The scenario. The wheel zooms, the middle button or Space and drag move the map. The status bar says what the mouse does with the active tool. During a run, click a person for details; right-click to push, stop or add people.</source>
         <translation>El escenario. La rueda amplía y reduce, el botón central o Espacio y arrastrar mueven el mapa. La barra de estado dice qué hace el ratón con la herramienta activa. Durante una ejecución, haga clic en una persona para ver los detalles; clic derecho para empujar, detener o añadir personas.</translation>
+    </message>
+    <message>
+        <source>Runs scenarios with several planners and seeds and compares them with confidence intervals in a report. It also shows the results of tune, gate, sensitivity and search.</source>
+        <translation>Ejecuta escenarios con varios planificadores y semillas y los compara con intervalos de confianza en un informe. También muestra los resultados de tune, gate, sensitivity y search.</translation>
     </message>
 </context>
 <context>
@@ -6144,6 +6144,69 @@ Elegir qué muestra el mapa</translation>
     </message>
 </context>
 <context>
+    <name>app::GatePage</name>
+    <message>
+        <source>Difference candidate − base with its interval, which holds at all numbers of pairs. The scale has 4 margins at both ends; the dotted line is the margin.</source>
+        <translation>Diferencia candidato − base con su intervalo, válido para cualquier número de pares. La escala llega a 4 márgenes en ambos extremos; la línea de puntos es el margen.</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Métricas</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Pares</translation>
+    </message>
+    <message>
+        <source>In no pair has only the candidate failed, and all metrics are passed.</source>
+        <translation>En ningún par ha fallado solo el candidato, y todas las métricas se superan.</translation>
+    </message>
+    <message>
+        <source>Pairs in which the candidate is worse</source>
+        <translation>Pares en los que el candidato es peor</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>Candidate</source>
+        <translation>Candidato</translation>
+    </message>
+    <message>
+        <source>Double-click a pair to play the run of the candidate</source>
+        <translation>Doble clic en un par para reproducir la ejecución del candidato</translation>
+    </message>
+    <message>
+        <source>Runs in which only the candidate has no success, then the largest losses by metrics that are not passed. Double-click or Enter plays the run of the candidate, the context menu also that of the base.</source>
+        <translation>Ejecuciones en las que solo el candidato no tiene éxito y, después, las mayores pérdidas en las métricas no superadas. Doble clic o Intro reproducen la ejecución del candidato; el menú contextual, también la de la base.</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1, semilla %2</translation>
+    </message>
+    <message>
+        <source>the candidate in %1</source>
+        <translation>el candidato en %1</translation>
+    </message>
+    <message>
+        <source>the base in %1</source>
+        <translation>la base en %1</translation>
+    </message>
+    <message>
+        <source>Play the candidate</source>
+        <translation>Reproducir el candidato</translation>
+    </message>
+    <message>
+        <source>Play the base</source>
+        <translation>Reproducir la base</translation>
+    </message>
+</context>
+<context>
     <name>app::GuidedTour</name>
     <message>
         <source>Place a person</source>
@@ -6487,6 +6550,237 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
     <message>
         <source>Dismiss</source>
         <translation>Descartar</translation>
+    </message>
+</context>
+<context>
+    <name>app::OutputPage</name>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>no medida</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>superada</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>peor</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>sin decidir</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Métricas</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Métrica</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Candidate</source>
+        <translation>Candidato</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Pares</translation>
+    </message>
+    <message>
+        <source>Pass: %1 is not worse than %2</source>
+        <translation>Superado: %1 no es peor que %2</translation>
+    </message>
+    <message>
+        <source>Worse: %1 is worse than %2 in %3</source>
+        <translation>Peor: %1 es peor que %2 en %3</translation>
+    </message>
+    <message>
+        <source>Undecided: %1 pairs do not show whether %2 is worse than %3</source>
+        <translation>Sin decidir: %1 pares no muestran si %2 es peor que %3</translation>
+    </message>
+    <message>
+        <source>%1 (more than %2)</source>
+        <translation>%1 (más de %2)</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contacto</translation>
+    </message>
+    <message>
+        <source>Standstill</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>Navigation failed</source>
+        <translation>Navegación fallida</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Límite de tiempo</translation>
+    </message>
+    <message>
+        <source>Run broke off</source>
+        <translation>Ejecución interrumpida</translation>
+    </message>
+    <message>
+        <source>person in front</source>
+        <translation>persona delante</translation>
+    </message>
+    <message>
+        <source>person on the left</source>
+        <translation>persona a la izquierda</translation>
+    </message>
+    <message>
+        <source>person on the right</source>
+        <translation>persona a la derecha</translation>
+    </message>
+    <message>
+        <source>person behind</source>
+        <translation>persona detrás</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>obstáculo</translation>
+    </message>
+    <message>
+        <source>no person near</source>
+        <translation>ninguna persona cerca</translation>
+    </message>
+    <message>
+        <source>before the end of the run</source>
+        <translation>antes del final de la ejecución</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>en movimiento</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>de pie</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>ejecución</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>ejecuciones</translation>
+    </message>
+    <message>
+        <source>kind of failure</source>
+        <translation>tipo de fallo</translation>
+    </message>
+    <message>
+        <source>kinds of failures</source>
+        <translation>tipos de fallos</translation>
+    </message>
+    <message>
+        <source>Contacts that the robot could not have avoided since first sight do not count: %1</source>
+        <translation>Contactos que el robot no podía evitar desde la primera vez que vio a la persona, que no cuentan: %1</translation>
+    </message>
+    <message>
+        <source>Runs that could not start: %1</source>
+        <translation>Ejecuciones que no pudieron empezar: %1</translation>
+    </message>
+    <message>
+        <source>the confidence interval of %1 is wider than its index</source>
+        <translation>el intervalo de confianza de %1 es más ancho que su índice</translation>
+    </message>
+    <message>
+        <source>about %1 points would be needed instead of %2</source>
+        <translation>harían falta unos %1 puntos en lugar de %2</translation>
+    </message>
+    <message>
+        <source>the order of %1 and %2 is not certain</source>
+        <translation>el orden de %1 y %2 no es seguro</translation>
+    </message>
+    <message>
+        <source>%1 of the variance between points is due to the choice of seeds</source>
+        <translation>el %1 de la varianza entre puntos se debe a la elección de semillas</translation>
+    </message>
+    <message>
+        <source>points without a value, which are excluded: %1</source>
+        <translation>puntos sin valor, que se excluyen: %1</translation>
+    </message>
+    <message>
+        <source>Confidence interval: %1 to %2</source>
+        <translation>Intervalo de confianza: de %1 a %2</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>valores</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>semilla</translation>
+    </message>
+    <message>
+        <source>seeds</source>
+        <translation>semillas</translation>
+    </message>
+    <message>
+        <source>Morris screening: %1 trajectories, %2</source>
+        <translation>Cribado de Morris: %1 trayectorias, %2</translation>
+    </message>
+    <message>
+        <source>Sobol indices: %1 base points, %2</source>
+        <translation>Índices de Sobol: %1 puntos base, %2</translation>
+    </message>
+    <message>
+        <source>success %1 before, %2 after</source>
+        <translation>éxito %1 antes, %2 después</translation>
+    </message>
+    <message>
+        <source>none (before)</source>
+        <translation>ninguno (antes)</translation>
+    </message>
+    <message>
+        <source>Improved: %1</source>
+        <translation>Mejorado: %1</translation>
+    </message>
+    <message>
+        <source>No improvement found: on new runs the best candidate is not clearly better: %1</source>
+        <translation>No se encontró ninguna mejora: en ejecuciones nuevas el mejor candidato no es claramente mejor: %1</translation>
+    </message>
+    <message>
+        <source>No improvement found: none of %1 candidates was better than the present values</source>
+        <translation>No se encontró ninguna mejora: ninguno de %1 candidatos fue mejor que los valores actuales</translation>
     </message>
 </context>
 <context>
@@ -7141,6 +7435,220 @@ El valor mínimo es el alto que el mapa necesita</translation>
     </message>
 </context>
 <context>
+    <name>app::SearchPage</name>
+    <message>
+        <source>Failures</source>
+        <translation>Fallos</translation>
+    </message>
+    <message>
+        <source>No run failed.</source>
+        <translation>No falló ninguna ejecución.</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivo de élites</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Found in</source>
+        <translation>Encontrado en</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personas</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Final</translation>
+    </message>
+    <message>
+        <source>End [s]</source>
+        <translation>Fin [s]</translation>
+    </message>
+    <message>
+        <source>Remaining changes</source>
+        <translation>Cambios restantes</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Repetido</translation>
+    </message>
+    <message>
+        <source>Double-click a failure to play it</source>
+        <translation>Doble clic en un fallo para reproducirlo</translation>
+    </message>
+    <message>
+        <source>One failure of each kind, with the fewest people and changes that still fail in the same way. Double-click or Enter plays it; its scenario is in the folder failures.</source>
+        <translation>Un fallo de cada tipo, con el mínimo de personas y cambios que aún falla del mismo modo. Doble clic o Intro lo reproducen; su escenario está en la carpeta failures.</translation>
+    </message>
+    <message>
+        <source>Worst run: %1 = %2</source>
+        <translation>Peor ejecución: %1 = %2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>The scenario has the same end and metrics, bit for bit</source>
+        <translation>El escenario tiene el mismo final y las mismas métricas, bit a bit</translation>
+    </message>
+    <message>
+        <source>The scenario does not repeat the run</source>
+        <translation>El escenario no repite la ejecución</translation>
+    </message>
+    <message>
+        <source>The limit of runs was reached before the scenario was minimal</source>
+        <translation>Se alcanzó el límite de ejecuciones antes de que el escenario fuera mínimo</translation>
+    </message>
+    <message>
+        <source>The archive is empty: no run was simulated.</source>
+        <translation>El archivo de élites está vacío: no se simuló ninguna ejecución.</translation>
+    </message>
+    <message>
+        <source>The best run in each cell. To the right: %1, upwards: %2; titles are the lower ends of the cells. Darker cells have a better run for the search; a dot marks a failure, and a double-click plays the failure of its kind.</source>
+        <translation>La mejor ejecución de cada celda. Hacia la derecha: %1, hacia arriba: %2; los títulos son los extremos inferiores de las celdas. Las celdas más oscuras tienen una ejecución mejor para la búsqueda; un punto marca un fallo, y un doble clic reproduce el fallo de su tipo.</translation>
+    </message>
+    <message>
+        <source>%1, seed %2: %3</source>
+        <translation>%1, semilla %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>app::SensitivityPage</name>
+    <message>
+        <source>Plane of μ* and σ</source>
+        <translation>Plano de μ* y σ</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Importancia</translation>
+    </message>
+    <message>
+        <source>No metric varies in this study.</source>
+        <translation>En este estudio no varía ninguna métrica.</translation>
+    </message>
+    <message>
+        <source>Uncertain results</source>
+        <translation>Resultados inciertos</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Métrica</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Caso</translation>
+    </message>
+    <message>
+        <source>Scenario and listed values</source>
+        <translation>Escenario y valores de listas</translation>
+    </message>
+    <message>
+        <source>μ*: mean size of the change of the metric if the value goes from one end of its range to the other. σ: standard deviation of these changes; on the dashed lines it is 0.1, 0.5 and 1 times μ*. Lines on the bars: bootstrap confidence intervals (%1).</source>
+        <translation>μ*: tamaño medio del cambio de la métrica si el valor va de un extremo a otro de su intervalo. σ: desviación típica de estos cambios; en las líneas discontinuas es 0.1, 0.5 y 1 veces μ*. Líneas sobre las barras: intervalos de confianza bootstrap (%1).</translation>
+    </message>
+    <message>
+        <source>Total: share of the variance of the metric that is due to the value and its interactions; first order (dark): due to the value alone. Lines on the bars: bootstrap confidence intervals (%1).</source>
+        <translation>Total: parte de la varianza de la métrica que se debe al valor y a sus interacciones; primer orden (oscuro): debida solo al valor. Líneas sobre las barras: intervalos de confianza bootstrap (%1).</translation>
+    </message>
+    <message>
+        <source>Metrics that do not vary: %1</source>
+        <translation>Métricas que no varían: %1</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>μ*</source>
+        <translation>μ*</translation>
+    </message>
+    <message>
+        <source>μ</source>
+        <translation>μ</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Efectos</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>First order</source>
+        <translation>Primer orden</translation>
+    </message>
+    <message>
+        <source>Share of the bootstrap resamples in which the value is before the next one</source>
+        <translation>Parte de los remuestreos bootstrap en que el valor va antes que el siguiente</translation>
+    </message>
+    <message>
+        <source>does not vary</source>
+        <translation>no varía</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>Confidence interval: %1 to %2</source>
+        <translation>Intervalo de confianza: de %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1: μ* %2, σ %3</source>
+        <translation>%1: μ* %2, σ %3</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>All results are certain: points and seeds suffice.</source>
+        <translation>Todos los resultados son seguros: bastan los puntos y las semillas.</translation>
+    </message>
+    <message>
+        <source>More points or seeds make these results certain.</source>
+        <translation>Con más puntos o semillas, estos resultados serían seguros.</translation>
+    </message>
+</context>
+<context>
     <name>app::ShortcutsDialog</name>
     <message>
         <source>Keyboard shortcuts</source>
@@ -7560,10 +8068,6 @@ Pulse las teclas para la orden seleccionada</translation>
         <translation>Abrir…</translation>
     </message>
     <message>
-        <source>Open an experiment file</source>
-        <translation>Abrir un archivo de experimento</translation>
-    </message>
-    <message>
         <source>Save as…</source>
         <translation>Guardar como…</translation>
     </message>
@@ -7698,6 +8202,22 @@ Pulse las teclas para la orden seleccionada</translation>
     <message>
         <source>%1 has unsaved changes.</source>
         <translation>%1 tiene cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>Open an experiment, or the results of tune, gate, sensitivity or search</source>
+        <translation>Abrir un experimento o los resultados de tune, gate, sensitivity o search</translation>
+    </message>
+    <message>
+        <source>Results are shown: New begins a study</source>
+        <translation>Se muestran resultados: Nuevo empieza un estudio</translation>
+    </message>
+    <message>
+        <source>Studies (*.yaml *.yml tune.json gate.json sensitivity.json archive.json)</source>
+        <translation>Estudios (*.yaml *.yml tune.json gate.json sensitivity.json archive.json)</translation>
+    </message>
+    <message>
+        <source>Replaying %1…</source>
+        <translation>Repitiendo %1…</translation>
     </message>
 </context>
 <context>
@@ -7847,6 +8367,165 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Saved %1</source>
         <translation>Guardado %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::TunePage</name>
+    <message>
+        <source>Evaluation</source>
+        <translation>Evaluación</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Cambios</translation>
+    </message>
+    <message>
+        <source>No candidate was better in the search, so that none was evaluated on new runs.</source>
+        <translation>Ningún candidato fue mejor en la búsqueda, por lo que no se evaluó ninguno en ejecuciones nuevas.</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Métrica</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>Relativa</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Pares</translation>
+    </message>
+    <message>
+        <source>After − before with 95 % intervals, on runs that the search has not seen, paired by scenario and seed. Pairs in which a run failed are excluded from the objectives.</source>
+        <translation>Después − antes con intervalos del 95 %, en ejecuciones que la búsqueda no ha visto, emparejadas por escenario y semilla. Los pares con una ejecución fallida se excluyen de los objetivos.</translation>
+    </message>
+    <message>
+        <source>%1: all seeds have the same results, so that its runs are not independent.</source>
+        <translation>%1: todas las semillas dan los mismos resultados, por lo que sus ejecuciones no son independientes.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todos</translation>
+    </message>
+    <message>
+        <source>Success</source>
+        <translation>Éxito</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parámetro</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>En el archivo</translation>
+    </message>
+    <message>
+        <source>Effect on the score</source>
+        <translation>Efecto en la puntuación</translation>
+    </message>
+    <message>
+        <source>Effect on %1</source>
+        <translation>Efecto en %1</translation>
+    </message>
+    <message>
+        <source>Effect on the score: what is lost without the change. Effects on metrics: with the change − without it, with 95 % intervals, on runs of the search. Changes that lose nothing when they are taken back together are not in the tuned file.</source>
+        <translation>Efecto en la puntuación: lo que se pierde sin el cambio. Efectos en las métricas: con el cambio − sin él, con intervalos del 95 %, en ejecuciones de la búsqueda. Los cambios que no pierden nada al deshacerlos juntos no están en el archivo ajustado.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1, logarithmic</source>
+        <translation>%1, logarítmico</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>sin cambios</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Candidates on the front</source>
+        <translation>Candidatos en el frente</translation>
+    </message>
+    <message>
+        <source>%1 [%]</source>
+        <translation>%1 [%]</translation>
+    </message>
+    <message>
+        <source>Changed values</source>
+        <translation>Valores cambiados</translation>
+    </message>
+    <message>
+        <source>Candidates that no other one surpasses, in the runs of the search, relative to the present values. The search has chosen among many, so that these values are too good on average.</source>
+        <translation>Candidatos que ningún otro supera, en las ejecuciones de la búsqueda, en relación con los valores actuales. La búsqueda ha elegido entre muchos, por lo que estos valores son demasiado buenos en promedio.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>elegido</translation>
+    </message>
+    <message>
+        <source>Pareto front</source>
+        <translation>Frente de Pareto</translation>
+    </message>
+    <message>
+        <source>The file is unchanged.</source>
+        <translation>El archivo no ha cambiado.</translation>
+    </message>
+    <message>
+        <source>From the present file to the tuned one.</source>
+        <translation>Del archivo actual al ajustado.</translation>
+    </message>
+    <message>
+        <source>From the present file to the best candidate, which is not used: the tuned file is unchanged.</source>
+        <translation>Del archivo actual al mejor candidato, que no se usa: el archivo ajustado no ha cambiado.</translation>
     </message>
 </context>
 <context>

@@ -5692,10 +5692,6 @@ Choose what the map shows</source>
         <translation>从显示的时刻起多次重复剩余的运行，并显示接触发生的频率。</translation>
     </message>
     <message>
-        <source>Runs scenarios with several planners and seeds and compares them with confidence intervals in a report.</source>
-        <translation>用多个规划器和种子运行场景，并在报告中以置信区间进行比较。</translation>
-    </message>
-    <message>
         <source>What the map shows: people, routes, sensor data, costmaps and other layers, each with its opacity.</source>
         <translation>地图显示的内容：行人、路线、传感器数据、代价地图及其他图层，各有其不透明度。</translation>
     </message>
@@ -5718,6 +5714,10 @@ Choose what the map shows</source>
     <message>
         <source>The scenario. The wheel zooms, the middle button or Space and drag move the map. The status bar says what the mouse does with the active tool. During a run, click a person for details; right-click to push, stop or add people.</source>
         <translation>场景。滚轮缩放，鼠标中键或空格键加拖动可移动地图。状态栏说明当前工具的鼠标操作。运行期间，单击行人查看详情；右键单击可推动、停止或添加行人。</translation>
+    </message>
+    <message>
+        <source>Runs scenarios with several planners and seeds and compares them with confidence intervals in a report. It also shows the results of tune, gate, sensitivity and search.</source>
+        <translation>用多个规划器和种子运行场景，并在报告中用置信区间进行比较。还显示 tune、gate、sensitivity 和 search 的结果。</translation>
     </message>
 </context>
 <context>
@@ -6144,6 +6144,69 @@ Choose what the map shows</source>
     </message>
 </context>
 <context>
+    <name>app::GatePage</name>
+    <message>
+        <source>Difference candidate − base with its interval, which holds at all numbers of pairs. The scale has 4 margins at both ends; the dotted line is the margin.</source>
+        <translation>候选 − 基准的差值及其区间，该区间对任意对数都成立。刻度两端为 4 倍裕度；虚线为裕度。</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>In no pair has only the candidate failed, and all metrics are passed.</source>
+        <translation>没有任何一对中仅候选失败，且所有指标均通过。</translation>
+    </message>
+    <message>
+        <source>Pairs in which the candidate is worse</source>
+        <translation>候选较差的运行对</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Candidate</source>
+        <translation>候选</translation>
+    </message>
+    <message>
+        <source>Double-click a pair to play the run of the candidate</source>
+        <translation>双击一对可播放候选的运行</translation>
+    </message>
+    <message>
+        <source>Runs in which only the candidate has no success, then the largest losses by metrics that are not passed. Double-click or Enter plays the run of the candidate, the context menu also that of the base.</source>
+        <translation>仅候选未成功的运行，其后是未通过指标中损失最大的运行。双击或 Enter 播放候选的运行，上下文菜单也可播放基准的运行。</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1，种子 %2</translation>
+    </message>
+    <message>
+        <source>the candidate in %1</source>
+        <translation>%1 中的候选</translation>
+    </message>
+    <message>
+        <source>the base in %1</source>
+        <translation>%1 中的基准</translation>
+    </message>
+    <message>
+        <source>Play the candidate</source>
+        <translation>播放候选</translation>
+    </message>
+    <message>
+        <source>Play the base</source>
+        <translation>播放基准</translation>
+    </message>
+</context>
+<context>
     <name>app::GuidedTour</name>
     <message>
         <source>Place a person</source>
@@ -6487,6 +6550,237 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
     <message>
         <source>Dismiss</source>
         <translation>忽略</translation>
+    </message>
+</context>
+<context>
+    <name>app::OutputPage</name>
+    <message>
+        <source>points</source>
+        <translation>个百分点</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>较差</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>未定</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基准</translation>
+    </message>
+    <message>
+        <source>Candidate</source>
+        <translation>候选</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>裕度</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>Pass: %1 is not worse than %2</source>
+        <translation>通过：%1 不比 %2 差</translation>
+    </message>
+    <message>
+        <source>Worse: %1 is worse than %2 in %3</source>
+        <translation>较差：%1 在 %3 上比 %2 差</translation>
+    </message>
+    <message>
+        <source>Undecided: %1 pairs do not show whether %2 is worse than %3</source>
+        <translation>未定：%1 对运行无法表明 %2 是否比 %3 差</translation>
+    </message>
+    <message>
+        <source>%1 (more than %2)</source>
+        <translation>%1（大于 %2）</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Standstill</source>
+        <translation>停滞</translation>
+    </message>
+    <message>
+        <source>Navigation failed</source>
+        <translation>导航失败</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>超时</translation>
+    </message>
+    <message>
+        <source>Run broke off</source>
+        <translation>运行中断</translation>
+    </message>
+    <message>
+        <source>person in front</source>
+        <translation>人在前方</translation>
+    </message>
+    <message>
+        <source>person on the left</source>
+        <translation>人在左侧</translation>
+    </message>
+    <message>
+        <source>person on the right</source>
+        <translation>人在右侧</translation>
+    </message>
+    <message>
+        <source>person behind</source>
+        <translation>人在后方</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>no person near</source>
+        <translation>附近无人</translation>
+    </message>
+    <message>
+        <source>before the end of the run</source>
+        <translation>在运行结束之前</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>次运行</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>次运行</translation>
+    </message>
+    <message>
+        <source>kind of failure</source>
+        <translation>种失败</translation>
+    </message>
+    <message>
+        <source>kinds of failures</source>
+        <translation>种失败</translation>
+    </message>
+    <message>
+        <source>Contacts that the robot could not have avoided since first sight do not count: %1</source>
+        <translation>自首次看见起机器人无法避免的接触（不计入）：%1</translation>
+    </message>
+    <message>
+        <source>Runs that could not start: %1</source>
+        <translation>无法启动的运行：%1</translation>
+    </message>
+    <message>
+        <source>the confidence interval of %1 is wider than its index</source>
+        <translation>%1 的置信区间比其指数还宽</translation>
+    </message>
+    <message>
+        <source>about %1 points would be needed instead of %2</source>
+        <translation>大约需要 %1 个点，而不是 %2 个</translation>
+    </message>
+    <message>
+        <source>the order of %1 and %2 is not certain</source>
+        <translation>%1 与 %2 的顺序不确定</translation>
+    </message>
+    <message>
+        <source>%1 of the variance between points is due to the choice of seeds</source>
+        <translation>点间方差的 %1 来自种子的选择</translation>
+    </message>
+    <message>
+        <source>points without a value, which are excluded: %1</source>
+        <translation>无值而被排除的点：%1</translation>
+    </message>
+    <message>
+        <source>Confidence interval: %1 to %2</source>
+        <translation>置信区间：%1 至 %2</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>个参数</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>个参数</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>个种子</translation>
+    </message>
+    <message>
+        <source>seeds</source>
+        <translation>个种子</translation>
+    </message>
+    <message>
+        <source>Morris screening: %1 trajectories, %2</source>
+        <translation>Morris 筛选：%1 条轨迹，%2</translation>
+    </message>
+    <message>
+        <source>Sobol indices: %1 base points, %2</source>
+        <translation>Sobol 指数：%1 个基点，%2</translation>
+    </message>
+    <message>
+        <source>success %1 before, %2 after</source>
+        <translation>成功率之前 %1，之后 %2</translation>
+    </message>
+    <message>
+        <source>none (before)</source>
+        <translation>无（之前）</translation>
+    </message>
+    <message>
+        <source>Improved: %1</source>
+        <translation>已改进：%1</translation>
+    </message>
+    <message>
+        <source>No improvement found: on new runs the best candidate is not clearly better: %1</source>
+        <translation>未找到改进：在新的运行中最佳候选并无明显优势：%1</translation>
+    </message>
+    <message>
+        <source>No improvement found: none of %1 candidates was better than the present values</source>
+        <translation>未找到改进：%1 个候选均不优于当前值</translation>
     </message>
 </context>
 <context>
@@ -7141,6 +7435,220 @@ The lowest value is the height that the map requires</source>
     </message>
 </context>
 <context>
+    <name>app::SearchPage</name>
+    <message>
+        <source>Failures</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>No run failed.</source>
+        <translation>没有运行失败。</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>档案</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Found in</source>
+        <translation>发现于</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>结束原因</translation>
+    </message>
+    <message>
+        <source>End [s]</source>
+        <translation>结束 [s]</translation>
+    </message>
+    <message>
+        <source>Remaining changes</source>
+        <translation>剩余更改</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>可重复</translation>
+    </message>
+    <message>
+        <source>Double-click a failure to play it</source>
+        <translation>双击失败可播放</translation>
+    </message>
+    <message>
+        <source>One failure of each kind, with the fewest people and changes that still fail in the same way. Double-click or Enter plays it; its scenario is in the folder failures.</source>
+        <translation>每种类型一个失败，保留仍以同样方式失败的最少人数和更改。双击或 Enter 播放；其场景位于文件夹 failures 中。</translation>
+    </message>
+    <message>
+        <source>Worst run: %1 = %2</source>
+        <translation>最差运行：%1 = %2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>The scenario has the same end and metrics, bit for bit</source>
+        <translation>该场景的结局和指标逐位相同</translation>
+    </message>
+    <message>
+        <source>The scenario does not repeat the run</source>
+        <translation>该场景不能重复此运行</translation>
+    </message>
+    <message>
+        <source>The limit of runs was reached before the scenario was minimal</source>
+        <translation>在场景缩至最小之前已达到运行次数上限</translation>
+    </message>
+    <message>
+        <source>The archive is empty: no run was simulated.</source>
+        <translation>档案为空：没有模拟任何运行。</translation>
+    </message>
+    <message>
+        <source>The best run in each cell. To the right: %1, upwards: %2; titles are the lower ends of the cells. Darker cells have a better run for the search; a dot marks a failure, and a double-click plays the failure of its kind.</source>
+        <translation>每个单元格中的最佳运行。向右：%1，向上：%2；标题为单元格的下限。颜色越深，对搜索而言运行越好；圆点表示失败，双击播放该类型的失败。</translation>
+    </message>
+    <message>
+        <source>%1, seed %2: %3</source>
+        <translation>%1，种子 %2：%3</translation>
+    </message>
+</context>
+<context>
+    <name>app::SensitivityPage</name>
+    <message>
+        <source>Plane of μ* and σ</source>
+        <translation>μ* 与 σ 平面</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要性</translation>
+    </message>
+    <message>
+        <source>No metric varies in this study.</source>
+        <translation>此研究中没有指标变化。</translation>
+    </message>
+    <message>
+        <source>Uncertain results</source>
+        <translation>不确定的结果</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>情形</translation>
+    </message>
+    <message>
+        <source>Scenario and listed values</source>
+        <translation>场景和列表中的值</translation>
+    </message>
+    <message>
+        <source>μ*: mean size of the change of the metric if the value goes from one end of its range to the other. σ: standard deviation of these changes; on the dashed lines it is 0.1, 0.5 and 1 times μ*. Lines on the bars: bootstrap confidence intervals (%1).</source>
+        <translation>μ*：参数从范围一端变到另一端时指标变化的平均大小。σ：这些变化的标准差；在虚线上为 μ* 的 0.1、0.5 和 1 倍。条形上的线：自助法置信区间（%1）。</translation>
+    </message>
+    <message>
+        <source>Total: share of the variance of the metric that is due to the value and its interactions; first order (dark): due to the value alone. Lines on the bars: bootstrap confidence intervals (%1).</source>
+        <translation>总效应：指标方差中由该参数及其交互作用引起的份额；一阶（深色）：仅由该参数引起。条形上的线：自助法置信区间（%1）。</translation>
+    </message>
+    <message>
+        <source>Metrics that do not vary: %1</source>
+        <translation>不变化的指标：%1</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>μ*</source>
+        <translation>μ*</translation>
+    </message>
+    <message>
+        <source>μ</source>
+        <translation>μ</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>效应数</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>顺序</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>总效应</translation>
+    </message>
+    <message>
+        <source>First order</source>
+        <translation>一阶</translation>
+    </message>
+    <message>
+        <source>Share of the bootstrap resamples in which the value is before the next one</source>
+        <translation>该参数排在下一个之前的自助重采样份额</translation>
+    </message>
+    <message>
+        <source>does not vary</source>
+        <translation>不变化</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Confidence interval: %1 to %2</source>
+        <translation>置信区间：%1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1: μ* %2, σ %3</source>
+        <translation>%1：μ* %2，σ %3</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>All results are certain: points and seeds suffice.</source>
+        <translation>所有结果都确定：点和种子足够。</translation>
+    </message>
+    <message>
+        <source>More points or seeds make these results certain.</source>
+        <translation>更多的点或种子可使这些结果确定。</translation>
+    </message>
+</context>
+<context>
     <name>app::ShortcutsDialog</name>
     <message>
         <source>Keyboard shortcuts</source>
@@ -7560,10 +8068,6 @@ Press the keys for the selected command</source>
         <translation>打开…</translation>
     </message>
     <message>
-        <source>Open an experiment file</source>
-        <translation>打开实验文件</translation>
-    </message>
-    <message>
         <source>Save as…</source>
         <translation>另存为…</translation>
     </message>
@@ -7698,6 +8202,22 @@ Press the keys for the selected command</source>
     <message>
         <source>%1 has unsaved changes.</source>
         <translation>%1 有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Open an experiment, or the results of tune, gate, sensitivity or search</source>
+        <translation>打开实验，或 tune、gate、sensitivity、search 的结果</translation>
+    </message>
+    <message>
+        <source>Results are shown: New begins a study</source>
+        <translation>正在显示结果：“新建”可开始研究</translation>
+    </message>
+    <message>
+        <source>Studies (*.yaml *.yml tune.json gate.json sensitivity.json archive.json)</source>
+        <translation>研究 (*.yaml *.yml tune.json gate.json sensitivity.json archive.json)</translation>
+    </message>
+    <message>
+        <source>Replaying %1…</source>
+        <translation>正在重放 %1…</translation>
     </message>
 </context>
 <context>
@@ -7847,6 +8367,165 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::TunePage</name>
+    <message>
+        <source>Evaluation</source>
+        <translation>评估</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前沿</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>No candidate was better in the search, so that none was evaluated on new runs.</source>
+        <translation>搜索中没有更好的候选，因此未在新的运行中评估。</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>相对</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>After − before with 95 % intervals, on runs that the search has not seen, paired by scenario and seed. Pairs in which a run failed are excluded from the objectives.</source>
+        <translation>之后 − 之前及 95 % 区间，基于搜索未见过的运行，按场景和种子配对。含失败运行的对不计入目标。</translation>
+    </message>
+    <message>
+        <source>%1: all seeds have the same results, so that its runs are not independent.</source>
+        <translation>%1：所有种子的结果相同，因此其运行不独立。</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Success</source>
+        <translation>成功</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>个百分点</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>在文件中</translation>
+    </message>
+    <message>
+        <source>Effect on the score</source>
+        <translation>对得分的影响</translation>
+    </message>
+    <message>
+        <source>Effect on %1</source>
+        <translation>对 %1 的影响</translation>
+    </message>
+    <message>
+        <source>Effect on the score: what is lost without the change. Effects on metrics: with the change − without it, with 95 % intervals, on runs of the search. Changes that lose nothing when they are taken back together are not in the tuned file.</source>
+        <translation>对得分的影响：没有该更改时的损失。对指标的影响：有更改 − 无更改，含 95 % 区间，基于搜索的运行。一起撤销而无损失的更改不在调好的文件中。</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1, logarithmic</source>
+        <translation>%1，对数</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>未更改</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Candidates on the front</source>
+        <translation>前沿上的候选</translation>
+    </message>
+    <message>
+        <source>%1 [%]</source>
+        <translation>%1 [%]</translation>
+    </message>
+    <message>
+        <source>Changed values</source>
+        <translation>更改的值</translation>
+    </message>
+    <message>
+        <source>Candidates that no other one surpasses, in the runs of the search, relative to the present values. The search has chosen among many, so that these values are too good on average.</source>
+        <translation>搜索运行中没有被其他候选超越的候选，相对于当前值。由于搜索从许多候选中选出，这些值平均而言过于乐观。</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>选定</translation>
+    </message>
+    <message>
+        <source>Pareto front</source>
+        <translation>帕累托前沿</translation>
+    </message>
+    <message>
+        <source>The file is unchanged.</source>
+        <translation>文件未更改。</translation>
+    </message>
+    <message>
+        <source>From the present file to the tuned one.</source>
+        <translation>从当前文件到调好的文件。</translation>
+    </message>
+    <message>
+        <source>From the present file to the best candidate, which is not used: the tuned file is unchanged.</source>
+        <translation>从当前文件到最佳候选，后者未被采用：调好的文件没有更改。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "app/window/Docks.h"
 #include "app/window/files/FileCommands.h"
 #include "app/window/study/StudyPanel.h"
+#include "app/window/study/StudyTable.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/StudyFiles.h"

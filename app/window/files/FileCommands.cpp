@@ -1,5 +1,6 @@
 #include "app/window/files/FileCommands.h"
 
+#include "app/report/StudyOutput.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunReplay.h"
@@ -80,6 +81,9 @@ bool FileCommands::isTracks(const QString& path) {
 /// name.
 FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   const QFileInfo file(path);
+  if (report::studyOutputFile(path.toStdString())) {
+    return Kind::StudyResults;
+  }
   if (file.isDir() || file.fileName() == QLatin1String("trace.json")) {
     return Kind::Run;
   }
@@ -118,6 +122,8 @@ bool FileCommands::openFile(const QString& path) {
       return openTracks(path);
     case Kind::Capsule:
       return openCapsule(path);
+    case Kind::StudyResults:
+      return openStudyResults(path);
     case Kind::Scenario:
       break;
   }
@@ -128,7 +134,7 @@ bool FileCommands::dropFile(const QString& path, editor::EntityId under) {
   if (kindOf(path) == Kind::Tree) {
     return assignTree(path, under);
   }
-  return maybeSave() && openFile(path);
+  return mayOpen(path) && openFile(path);
 }
 
 bool FileCommands::openScenario(const QString& path, bool isTemporary) {
@@ -269,12 +275,6 @@ QString FileCommands::ask(QFileDialog::FileMode mode, const QString& title, cons
   QFileDialog dialog(&window_, title, folder(), filter);
   dialog.setFileMode(mode);
   return askFile(dialog, userSettings_);
-}
-
-void FileCommands::openIfWanted(const QString& path) {
-  if (!path.isEmpty() && maybeSave()) {
-    openFile(path);
-  }
 }
 
 void FileCommands::askOpen() {

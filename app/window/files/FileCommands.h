@@ -28,7 +28,8 @@ class FileCommands : public QObject {
     compatibility_ = compatibility;
   }
   /// Opens a scenario, a map (for a new scenario), the folder of a recorded run, third-party
-  /// trajectories, or a tree for the selected people. False: the file could not be read completely;
+  /// trajectories, the results of `tune`, `gate`, `sensitivity` or `search`, or a tree for the
+  /// selected people. False: the file could not be read completely;
   /// see the issues.
   bool openFile(const QString& path);
   /// Opens a packed study from a temporary folder, which lives as long as the window.
@@ -76,11 +77,12 @@ class FileCommands : public QObject {
   QString folder() const;
 
  Q_SIGNALS:
-  void runOpened(const QString& folder);        // a recorded run is displayed
-  void opened();                                // a document or recorded run was opened
-  void studyOpened(const QString& experiment);  // results of a packed study are beside this file
-  void closed();                                // no document is open
-  void optionsApplied();                        // options of the command line changed the document
+  void runOpened(const QString& folder);  // a recorded run is displayed
+  void opened();                          // a document or recorded run was opened
+  /// An experiment with its results beside it, or results of another study (StudyPanel::openFile).
+  void studyOpened(const QString& path);
+  void closed();          // no document is open
+  void optionsApplied();  // options of the command line changed the document
   void recentChanged();
   void issuesRaised();
   void exported(const QString& folder, int files);
@@ -88,11 +90,13 @@ class FileCommands : public QObject {
   void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
 
  private:
-  enum class Kind { Scenario, Map, Image, Tree, Run, Tracks, Capsule };
+  enum class Kind { Scenario, Map, Image, Tree, Run, Tracks, Capsule, StudyResults };
   using GridPtr = std::shared_ptr<const sim2d::OccupancyGrid>;
   bool showProblems(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
   void openIfWanted(const QString& path);  // empty: cancelled
+  /// Asks about unsaved changes if the file would replace the document.
+  bool mayOpen(const QString& path);
   QString ask(QFileDialog::FileMode mode, const QString& title, const QString& filter = {});
   QString askMapFile(const QString& title);
   bool openNewFromImage(const QString& path);
@@ -100,6 +104,7 @@ class FileCommands : public QObject {
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path, bool isTemporary = false);
   bool openTracks(const QString& path);
+  bool openStudyResults(const QString& path);
   void showRun(const RecordedRun& run, const QString& path, const QString& name,
                std::function<editor::RunRequest()> again);
   void remember(const QString& run);  // among the recent files

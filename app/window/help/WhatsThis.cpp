@@ -129,7 +129,8 @@ const std::vector<Explanation>& panelTexts() {
       {"study",
        QT_TRANSLATE_NOOP("WhatsThis",
                          "Runs scenarios with several planners and seeds and compares them with "
-                         "confidence intervals in a report.")},
+                         "confidence intervals in a report. It also shows the results of tune, "
+                         "gate, sensitivity and search.")},
       {"layers", QT_TRANSLATE_NOOP(
                      "WhatsThis",
                      "What the map shows: people, routes, sensor data, costmaps and other layers, "

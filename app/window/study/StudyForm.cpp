@@ -3,6 +3,7 @@
 #include "app/window/files/FileDialogs.h"
 #include "app/window/study/StudyPanel.h"
 #include "editor/look/CoreText.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
@@ -301,7 +302,12 @@ void StudyForm::dragEnterEvent(QDragEnterEvent* event) {
 void StudyForm::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   for (const QUrl& url : event->mimeData()->urls()) {
-    addScenario(url.toLocalFile());
+    const QString path = url.toLocalFile();
+    if (report::studyOutputFile(path.toStdString())) {
+      editor::later(*this, [this, path] { Q_EMIT resultsDropped(path); });
+    } else {
+      addScenario(path);
+    }
   }
 }
 

@@ -61,9 +61,11 @@ StudyPanel::StudyPanel(editor::PanelContext& context)
                                         {makeHead(), editor::dividerLine(this)});
   auto* halves = new QSplitter(Qt::Horizontal, this);
   halves->setChildrenCollapsible(false);
-  halves->addWidget(editor::scrollArea(form_, halves));
+  formArea_ = editor::scrollArea(form_, halves);
+  halves->addWidget(formArea_);
   auto* right = new QWidget(halves);
-  editor::configuredLayout(new QVBoxLayout(right), {}, 0, {makeState()})->addWidget(results_, 1);
+  editor::configuredLayout(new QVBoxLayout(right), {}, 0, {makeState()})->addWidget(content_, 1);
+  content_->addWidget(results_);
   halves->addWidget(right);
   halves->setStretchFactor(0, 0);
   halves->setStretchFactor(1, 1);
@@ -88,7 +90,11 @@ void StudyPanel::connectSignals() {
           &StudyPanel::checkSoon);
   connect(&context_.document, &editor::ScenarioDocument::pathChanged, this,
           &StudyPanel::presetForm);
-  connect(&context_, &editor::PanelContext::themeChanged, this, &StudyPanel::updateMessageColor);
+  connect(&context_, &editor::PanelContext::themeChanged, this, [this] {
+    updateMessageColor();
+    showOutputPage();
+  });
+  connect(form_, &StudyForm::resultsDropped, this, &StudyPanel::openFile);
   connect(results_, &StudyResults::playRequested, this, &StudyPanel::play);
   connect(&process_, &StudyProcess::began, this, [this](const StudyHeader& begin) {
     if (runningExperiment_) {
@@ -108,7 +114,7 @@ void StudyPanel::connectSignals() {
 
 /// A new study is about the open scenario.
 void StudyPanel::presetForm() {
-  if (isVisible() && file_.isEmpty()) {
+  if (isVisible() && file_.isEmpty() && !output_) {
     form_->presetOpenScenario();
   }
 }
@@ -134,8 +140,9 @@ QWidget* StudyPanel::makeHead() {
   row->addWidget(progress_);
   new_ = editor::linkButton(tr("New"), tr("Begin a new study of the open scenario"), head,
                             [this] { beginNew(); });
-  open_ = editor::linkButton(tr("Open…"), tr("Open an experiment file"), head,
-                             [this] { askFile(false); });
+  open_ = editor::linkButton(
+      tr("Open…"), tr("Open an experiment, or the results of tune, gate, sensitivity or search"),
+      head, [this] { askFile(false); });
   saveAs_ = editor::linkButton(tr("Save as…"),
                                tr("Save the experiment as a file; its results are stored beside "
                                   "it"),
@@ -184,16 +191,28 @@ void StudyPanel::updateControls() {
   const bool goesOn = finished > 0 && finished < total_ && !isEdited_;
   start_->setText(isRunning() ? tr("Stop") : goesOn ? tr("Resume") : tr("Start"));
   start_->setDefault(!isRunning());
-  report_->setEnabled(
-      !isRunning() && !file_.isEmpty() &&
-      QFileInfo::exists(QDir(resultsFolder()).filePath(QStringLiteral("results.csv"))));
+  report_->setEnabled(!isRunning() && (output_ || hasResults()));
   new_->setEnabled(!isRunning());
   open_->setEnabled(!isRunning());
-  saveAs_->setEnabled(!isRunning());
+  saveAs_->setEnabled(!isRunning() && !output_);
+  const QString obstacle = output_ ? tr("Results are shown: New begins a study") : QString();
+  start_->setToolTip(obstacle);
+  if (output_) {
+    start_->setEnabled(false);
+  }
   progress_->setVisible(isRunning());
   form_->setEditable(!isRunning());
-  name_->setFullText(file_.isEmpty() ? tr("New study") : QFileInfo(file_).fileName());
-  name_->setToolTip(file_);
+  name_->setFullText(shownName().isEmpty() ? tr("New study") : shownName());
+  name_->setToolTip(output_ ? output_->folder : file_);
+}
+
+QString StudyPanel::shownName() const {
+  return output_ ? QFileInfo(output_->folder).fileName() : QFileInfo(file_).fileName();
+}
+
+bool StudyPanel::hasResults() const {
+  return !file_.isEmpty() &&
+         QFileInfo::exists(QDir(resultsFolder()).filePath(QStringLiteral("results.csv")));
 }
 
 void StudyPanel::showMessage(const QString& text, bool isProblem) {
@@ -217,6 +236,7 @@ QString StudyPanel::resultsFolder() const {
 }
 
 void StudyPanel::setFile(const QString& path) {
+  closeOutput();
   file_ = path;
   isEdited_ = true;  // until saved
   written_ = QString();
@@ -232,7 +252,9 @@ void StudyPanel::setFile(const QString& path) {
 void StudyPanel::askFile(bool toSave) {
   QFileDialog dialog(this, toSave ? tr("Save the study") : tr("Open a study"),
                      file_.isEmpty() ? context_.folder() : QFileInfo(file_).absolutePath(),
-                     tr("Experiments (*.yaml *.yml)"));
+                     toSave ? tr("Experiments (*.yaml *.yml)")
+                            : tr("Studies (*.yaml *.yml tune.json gate.json sensitivity.json "
+                                 "archive.json)"));
   dialog.setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
   dialog.setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
   dialog.setDefaultSuffix(QStringLiteral("yaml"));
@@ -267,6 +289,9 @@ void StudyPanel::chooseFile() {
 bool StudyPanel::openFile(const QString& path) {
   if (isRunning()) {
     return false;
+  }
+  if (const std::optional<std::string> results = report::studyOutputFile(path.toStdString())) {
+    return openOutput(*results);
   }
   const base::Result<Experiment> read = readExperiment(path.toStdString());
   if (!read) {
@@ -324,7 +349,7 @@ base::Result<Experiment> StudyPanel::experiment() const {
 
 /// Shows the size of the study or its problems, while nothing is running.
 void StudyPanel::check() {
-  if (isRunning()) {
+  if (isRunning() || output_) {
     return;
   }
   hideAnswers();

@@ -2,6 +2,7 @@
 
 #include "app/run/Experiment.h"
 #include "app/run/PlannerFiles.h"
+#include "app/window/study/OutputPage.h"
 #include "app/window/study/StudyProcess.h"
 #include "app/window/study/StudyResults.h"
 #include "editor/look/Fields.h"
@@ -31,6 +32,7 @@ class StudyForm : public QWidget {
 
  Q_SIGNALS:
   void changed();
+  void resultsDropped(const QString& path);  // of another study, see StudyPanel::openFile()
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -69,7 +71,8 @@ class StudyForm : public QWidget {
 };
 
 /// The panel for studies: edits, starts, stops and resumes an experiment, shows results as they
-/// arrive, plays runs and opens the report. GUI thread.
+/// arrive, plays runs and opens the report. It also shows the results of `tune`, `gate`,
+/// `sensitivity` and `search` and plays their runs. GUI thread.
 class StudyPanel : public QWidget {
   Q_OBJECT
  public:
@@ -77,13 +80,18 @@ class StudyPanel : public QWidget {
   ~StudyPanel() override;
   Q_DISABLE_COPY_MOVE(StudyPanel)
 
-  /// Opens an experiment with its existing results; shows problems. Also false while a study is
+  /// Opens an experiment with its existing results, or the output folder of `tune`, `gate`,
+  /// `sensitivity` or `search` (or its JSON file); shows problems. Also false while a study is
   /// running.
   bool openFile(const QString& path);
   /// Sets the experiment file, which determines the results folder.
   void setFile(const QString& path);
   QString file() const { return file_; }
   QString resultsFolder() const;
+  /// The name of the experiment or of the folder with results.
+  QString shownName() const;
+  /// The page with the results of another command; null: an experiment is shown.
+  OutputPage* outputPage() const { return page_; }
   StudyForm& form() const { return *form_; }
   StudyProcess& process() { return process_; }
   /// Starts the study. If results of another experiment exist or external code is not allowed, it
@@ -93,6 +101,7 @@ class StudyPanel : public QWidget {
   void stop();
   bool isRunning() const { return process_.isRunning(); }
   void play(int run);
+  void playOutput(const OutputRun& run);  // repeats the run and plays it
   void openReport();
   QString message() const { return messageLabel_->text(); }
   const StudyResults& results() const { return *results_; }
@@ -121,6 +130,10 @@ class StudyPanel : public QWidget {
   base::Result<Experiment> experiment() const;
   void showRestored();
   void showResultsOf(const Experiment& experiment);
+  bool openOutput(const std::string& file);
+  void showOutputPage();
+  void closeOutput();
+  void showSummary();
   bool canUseFolder(StudyProcess::Begin begin);
   bool isCodeAllowed(const std::vector<ExternalCode>& code, const std::function<void()>& then);
   bool save();
@@ -132,12 +145,14 @@ class StudyPanel : public QWidget {
   void startAsSaved();  // without its unsaved changes
   void showProgress();
   void finish(bool isComplete, const QString& problems);
+  /// `workingFolder` empty: that of this program.
   void runProgram(const QStringList& words, const QString& saying,
-                  const std::function<void()>& then);
+                  const std::function<void()>& then, const QString& workingFolder = {});
   void showMessage(const QString& text, bool isProblem = false);
   void updateControls();
 
   void updateMessageColor();
+  bool hasResults() const;
 
   editor::PanelContext& context_;
   QString file_;
@@ -148,7 +163,15 @@ class StudyPanel : public QWidget {
       displayedExperiment_;                // experiment running; experiment displayed
   std::vector<ExternalCode> allowedCode_;  // by the user, for this file
   std::function<void()> whenAllowed_;      // continues after the user allows the code
+  struct Output {
+    QString folder;
+    report::StudyOutput results;
+  };
+  std::optional<Output> output_;  // shown instead of an experiment
+  OutputPage* page_ = nullptr;    // of output_
   StudyForm* form_;
+  QScrollArea* formArea_ = nullptr;
+  QStackedWidget* content_ = new QStackedWidget(this);
   StudyResults* results_ = new StudyResults(this);
   StudyProcess process_;
   QProcess helperProcess_;  // re-runs a run, writes a report

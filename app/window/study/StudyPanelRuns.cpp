@@ -74,7 +74,7 @@ void StudyPanel::allowCode(const std::vector<ExternalCode>& code) {
 }
 
 void StudyPanel::start(StudyProcess::Begin begin) {
-  if (isRunning()) {
+  if (isRunning() || output_) {
     return;
   }
   if (hasUnsavedScenario() && !runsSavedFile_) {
@@ -175,7 +175,7 @@ void StudyPanel::finish(bool isComplete, const QString& problems) {
 
 /// Runs one process at a time; requests while it is running are ignored.
 void StudyPanel::runProgram(const QStringList& words, const QString& saying,
-                            const std::function<void()>& then) {
+                            const std::function<void()>& then, const QString& workingFolder) {
   if (helperProcess_.state() != QProcess::NotRunning) {
     return;
   }
@@ -190,12 +190,13 @@ void StudyPanel::runProgram(const QStringList& words, const QString& saying,
           [this, then](int code, QProcess::ExitStatus status) {
             const bool isFine = status == QProcess::NormalExit && code <= 1;
             if (isFine) {
-              showProgress();
+              showSummary();
               then();
             } else {
               showMessage(QString::fromUtf8(helperProcess_.readAllStandardError()).trimmed(), true);
             }
           });
+  helperProcess_.setWorkingDirectory(workingFolder);
   helperProcess_.start(process_.program(), words);
 }
 
@@ -229,6 +230,11 @@ void StudyPanel::play(int run) {
 }
 
 void StudyPanel::openReport() {
+  if (output_) {
+    const QString page = QString::fromStdString(report::studyOutputPage(output_->results));
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QDir(output_->folder).filePath(page)));
+    return;
+  }
   const QString folder = resultsFolder();
   runProgram({QStringLiteral("report"), folder, QStringLiteral("--quiet")},
              tr("Writing the report…"), [folder] {

@@ -6,10 +6,6 @@
 
 namespace app {
 
-/// Item data of a cell with an interval: low, mean, high and the ends of the scale of its column,
-/// as a list of numbers. The interval is drawn below the text.
-constexpr int kIntervalRole = Qt::UserRole + 1;
-
 /// The results of a running study: a comparison of options with intervals, and all runs. GUI
 /// thread.
 class StudyResults : public QWidget {

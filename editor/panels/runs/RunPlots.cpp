@@ -4,20 +4,19 @@
 #include <cmath>
 
 #include <qwt_plot.h>
-#include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_intervalcurve.h>
 #include <qwt_plot_marker.h>
 #include <qwt_scale_div.h>
 #include <qwt_scale_draw.h>
-#include <qwt_scale_widget.h>
 
 #include "editor/canvas/ComparedRunLayers.h"
 #include "editor/look/CoreText.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
+#include "editor/panels/runs/PlotStyle.h"
 
 namespace editor {
 
@@ -41,17 +40,8 @@ class UnitDraw : public QwtScaleDraw {
 void layOutPlot(QwtPlot& plot) {
   constexpr int kRightMargin = 20;  // Half of the last label extends beyond the axis [px].
   plot.setMinimumSize(120, 60);
-  plot.setFrameShape(QFrame::NoFrame);
-  static_cast<QwtPlotCanvas*>(plot.canvas())->setFrameStyle(QFrame::NoFrame);
   plot.setAxisScaleDraw(QwtPlot::xBottom, new UnitDraw(1.0, QStringLiteral("s")));
-  plot.setAxisMaxMajor(QwtPlot::xBottom, 5);
-  plot.setAxisMaxMajor(QwtPlot::yLeft, 4);
-  plot.setAxisMaxMinor(QwtPlot::xBottom, 0);
-  plot.setAxisMaxMinor(QwtPlot::yLeft, 0);
-  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
-    plot.axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
-    plot.axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 3);
-  }
+  useThinAxes(plot);
   plot.setContentsMargins(0, 0, kRightMargin, 0);
 }
 
@@ -76,20 +66,6 @@ PlottedCurve plottedCurve(const QwtPlotCurve& curve, const QString& label, doubl
     plotted.values.push_back(factor * curve.sample(static_cast<int>(k)).y());
   }
   return plotted;
-}
-
-void stylePlot(QwtPlot& plot, const Theme& theme) {
-  plot.setCanvasBackground(theme.color(Role::Panel));
-  QPalette colors = plot.palette();
-  colors.setColor(QPalette::Window, theme.color(Role::Panel));
-  colors.setColor(QPalette::WindowText, theme.color(Role::FieldEdge));
-  colors.setColor(QPalette::Text, theme.color(Role::TextSecondary));
-  plot.setPalette(colors);
-  plot.setAutoFillBackground(true);
-  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
-    plot.axisWidget(axis)->setPalette(colors);
-    plot.setAxisFont(axis, theme.font(8.0));
-  }
 }
 
 }  // namespace

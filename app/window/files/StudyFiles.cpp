@@ -1,6 +1,7 @@
 #include <QtWidgets>
 
 #include "app/capsule/Unpacked.h"
+#include "app/report/StudyOutput.h"
 #include "app/run/Experiment.h"
 #include "app/window/files/FileCommands.h"
 
@@ -9,6 +10,16 @@ namespace app {
 void FileCommands::remember(const QString& run) {
   userSettings_.addRecentFile(QDir(run).absolutePath());  // with or without a trailing slash
   Q_EMIT recentChanged();
+}
+
+void FileCommands::openIfWanted(const QString& path) {
+  if (!path.isEmpty() && mayOpen(path)) {
+    openFile(path);
+  }
+}
+
+bool FileCommands::mayOpen(const QString& path) {
+  return kindOf(path) == Kind::StudyResults || maybeSave();
 }
 
 /// The results of a batch are put where the study panel looks for them: beside the experiment.
@@ -41,6 +52,18 @@ bool FileCommands::openCapsule(const QString& path) {
   const bool isOpened = openScenario(QString::fromStdString(read->scenarioPaths.front()), true);
   Q_EMIT studyOpened(experiment.absoluteFilePath());
   return isOpened;
+}
+
+/// The document stays open.
+bool FileCommands::openStudyResults(const QString& path) {
+  const base::Result<report::StudyOutput> results =
+      report::readStudyOutput(*report::studyOutputFile(path.toStdString()));
+  if (!results) {
+    return showProblems(results.diagnostics());
+  }
+  remember(path);
+  Q_EMIT studyOpened(path);
+  return true;
 }
 
 }  // namespace app

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QtWidgets>
+
+#include "app/report/StudyOutput.h"
+#include "editor/look/Theme.h"
+
+namespace app {
+
+/// A run of a study that is to be played.
+struct OutputRun {
+  std::string command;  // the command line that opens it: "hunavsim FILE --seed 3 …"
+  QString title;        // for messages
+};
+
+/// The results of `tune`, `gate`, `sensitivity` or `search`, on tabs. GUI thread.
+class OutputPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit OutputPage(QWidget* parent = nullptr);
+
+  QTabBar& tabs() const { return *tabs_; }
+
+ Q_SIGNALS:
+  void playRequested(const app::OutputRun& run);
+
+ protected:
+  void addPage(const QString& title, QWidget* page);
+
+ private:
+  QTabBar* tabs_ = new QTabBar(this);
+  QStackedWidget* pages_ = new QStackedWidget(this);
+};
+
+/// What a page needs beside the results.
+struct OutputPlace {
+  std::string folder;  // of the results
+  editor::Theme theme;
+};
+
+OutputPage* makeTunePage(const report::TuneOutput& output, const OutputPlace& place);
+OutputPage* makeGatePage(const report::GateOutput& output, const OutputPlace& place);
+OutputPage* makeSensitivityPage(const report::SensitivityOutput& output, const OutputPlace& place);
+OutputPage* makeSearchPage(const report::SearchOutput& output, const OutputPlace& place);
+OutputPage* makeOutputPage(const report::StudyOutput& output, const OutputPlace& place);
+
+/// The verdict or size of the results as a sentence.
+QString outputHeadline(const report::StudyOutput& output);
+QString tuneHeadline(const report::TuneOutput& output);
+QString gateHeadline(const report::GateOutput& output);
+QString sensitivityHeadline(const report::SensitivityOutput& output);
+QString searchHeadline(const report::SearchOutput& output);
+
+// Parts of pages.
+
+/// The title of a metric, "Path length [m]"; of "KEY>NUMBER": "… (more than NUMBER)". `withUnit`
+/// false: without the unit.
+QString outputMetricTitle(const std::string& label, bool withUnit = true);
+/// A number with the decimals that its interval requires.
+QString outputNumber(double value, const statistics::Interval& interval = {});
+/// A difference with its interval, "−0.5 [−0.8, −0.2] m", drawn around 0 up to `reach` at both
+/// ends. Values are multiplied by `factor` (100: shares in per cent).
+QTableWidgetItem* differenceCell(double difference, const statistics::Interval& interval,
+                                 double reach, const QString& unit, double factor = 1.0,
+                                 const std::vector<double>& marks = {});
+/// The largest size of a difference or an end of its interval; at least `least`.
+double reachOf(double difference, const statistics::Interval& interval, double least);
+/// The name of a scenario file without folder and suffix.
+QString scenarioTitle(const std::string& path);
+/// A page with a note below the content.
+QWidget* pageWithNote(QWidget* content, const QString& note);
+/// The row of a table is played with a double click or Enter.
+void setPlayable(QTableWidget& table, const QString& tip);
+
+}  // namespace app
