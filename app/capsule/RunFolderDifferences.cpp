@@ -51,7 +51,7 @@ base::Diagnostics runFolderDifferences(const UnpackedCapsule& capsule, const std
   addRunFileNames(repeated, withMetrics, names);
   base::Diagnostics problems;
   for (const std::string& name : names) {
-    const std::string member = capsule.file + "/" + place + name;
+    const std::string member = base::join({capsule.file, "/", place, name}, "");
     const base::Result<std::string> was =
         base::readTextFile(app::pathIn(stored, name), base::kMaxRecord);
     const base::Result<std::string> is =

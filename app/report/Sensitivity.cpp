@@ -197,12 +197,14 @@ std::vector<Numbers> pointsOf(const Study& study, const PointRuns& runs) {
 std::vector<Numbers> meanEffects(const std::vector<Numbers>& points,
                                  const std::vector<Numbers>& outputs) {
   std::vector<std::vector<Numbers>> bySeed;
+  bySeed.reserve(outputs.size());
   for (const Numbers& values : outputs) {
     bySeed.push_back(statistics::elementaryEffects(points, values));
   }
   std::vector<Numbers> effects = bySeed.front();
   for (std::size_t t = 0; t < effects.size(); ++t) {
     std::vector<Numbers> ofTrajectory;
+    ofTrajectory.reserve(bySeed.size());
     for (const auto& each : bySeed) {
       ofTrajectory.push_back(each[t]);
     }

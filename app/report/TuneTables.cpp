@@ -225,22 +225,53 @@ Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& su
   return table;
 }
 
+namespace {
+
+/// A candidate that was run on all runs of the search, in the plane of the two objectives.
+struct FrontPoint {
+  base::Vec2 changes;  // of the objectives [%]
+  bool isOnFront = false, isChosen = false, isBefore = false;
+};
+
+std::vector<FrontPoint> frontPoints(const app::TuneOptions& options,
+                                    const app::TuneResult& result) {
+  std::vector<FrontPoint> points;
+  for (const TuneCandidate& candidate : result.candidates) {
+    if (candidate.isComplete) {
+      const auto percent = [&](std::size_t k) {
+        return 100.0 * options.objectives[k].sign * (candidate.score.ratios[k] - 1.0);
+      };
+      points.push_back({{percent(0), percent(1)},
+                        candidate.isOnFront,
+                        result.chosen && candidate.values == *result.chosen,
+                        candidate.generation < 0});
+    }
+  }
+  return points;
+}
+
+void drawFrontPoint(Figure& figure, const FrontPoint& point, const base::Vec2& at) {
+  figure.disc(at.x(), at.y(), 3.0, point.isOnFront ? "heat" : "dim", point.isOnFront ? 1.0 : 0.5);
+  if (point.isBefore || point.isChosen) {
+    figure.mark(at.x(), at.y(), point.isChosen ? 1 : 0, 6.0);
+    figure.text(at.x() + 9.0, at.y() - 7.0, point.isChosen ? "chosen" : "before");
+  }
+}
+
+}  // namespace
+
 std::optional<Figure> tuneFrontFigure(const app::TuneOptions& options,
                                       const app::TuneResult& result) {
   if (options.objectives.size() != 2) {
     return std::nullopt;
   }
   constexpr double kWidth = 720.0, kHeight = 360.0;
-  const auto percent = [&](const TuneCandidate& candidate, std::size_t k) {
-    return 100.0 * options.objectives[k].sign * (candidate.score.ratios[k] - 1.0);
-  };
+  const std::vector<FrontPoint> points = frontPoints(options, result);
   Extent wide, high;
   std::vector<base::Vec2> front;
-  for (const TuneCandidate& candidate : result.candidates) {
-    if (candidate.isComplete) {
-      wide.add(percent(candidate, 0));
-      high.add(percent(candidate, 1));
-    }
+  for (const FrontPoint& point : points) {
+    wide.add(point.changes.x());
+    high.add(point.changes.y());
   }
   const Scale x = paddedScale(wide.low, wide.high, 64.0, kWidth - 40.0);
   const Scale y = paddedScale(high.low, high.high, kHeight - 52.0, 34.0);
@@ -251,20 +282,11 @@ std::optional<Figure> tuneFrontFigure(const app::TuneOptions& options,
   figure.text(kWidth - 40.0, kHeight - 14.0,
               options.objectives[0].name + ", change in the search [%]", "ink",
               Figure::Anchor::End);
-  for (const TuneCandidate& candidate : result.candidates) {
-    if (!candidate.isComplete) {
-      continue;
-    }
-    const base::Vec2 at(x.at(percent(candidate, 0)), y.at(percent(candidate, 1)));
-    figure.disc(at.x(), at.y(), 3.0, candidate.isOnFront ? "heat" : "dim",
-                candidate.isOnFront ? 1.0 : 0.5);
-    if (candidate.isOnFront) {
+  for (const FrontPoint& point : points) {
+    const base::Vec2 at(x.at(point.changes.x()), y.at(point.changes.y()));
+    drawFrontPoint(figure, point, at);
+    if (point.isOnFront) {
       front.push_back(at);
-    }
-    if (candidate.generation < 0 || (result.chosen && candidate.values == *result.chosen)) {
-      const bool isChosen = result.chosen && candidate.values == *result.chosen;
-      figure.mark(at.x(), at.y(), isChosen ? 1 : 0, 6.0);
-      figure.text(at.x() + 9.0, at.y() - 7.0, isChosen ? "chosen" : "before");
     }
   }
   std::sort(front.begin(), front.end(),

@@ -187,6 +187,29 @@ std::string winsMarkup(const Study& study, const std::vector<Outcome>& outcomes)
   return text;
 }
 
+/// Can at least two options be ranked by this metric?
+bool isComparable(const Study& study, const MetricComparison& comparison) {
+  const Metric& metric = study.metrics[comparison.metric];
+  const auto ranked = std::count(comparison.succeeds.begin(), comparison.succeeds.end(), true);
+  return metric.sense != 0 && !comparison.pairs.empty() && (isSuccess(metric) || ranked > 1);
+}
+
+/// A sentence on the options that never succeed; empty without any.
+std::string neverSucceedingMarkup(const Study& study, const Comparisons& comparisons) {
+  std::vector<std::string> never;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    if (!comparisons.front().succeeds[option]) {
+      never.push_back(bold(study.options[option]));
+    }
+  }
+  if (never.empty()) {
+    return {};
+  }
+  const bool isOne = never.size() == 1;
+  return listed(never) + (isOne ? " never succeeds" : " never succeed") +
+         ", so only success is compared with " + (isOne ? "it" : "them") + ". ";
+}
+
 }  // namespace
 
 std::string verdictMarkup(const Study& study, const Comparisons& comparisons) {
@@ -199,25 +222,16 @@ std::string verdictMarkup(const Study& study, const Comparisons& comparisons) {
   }
   std::vector<Outcome> outcomes;
   std::vector<std::string> open;
-  std::vector<std::string> never;
   for (const MetricComparison& comparison : comparisons) {
-    const Metric& metric = study.metrics[comparison.metric];
-    const auto ranked = std::count(comparison.succeeds.begin(), comparison.succeeds.end(), true);
-    const bool isComparable = isSuccess(metric) || ranked > 1;
-    if (metric.sense != 0 && !comparison.pairs.empty() && isComparable) {
+    if (isComparable(study, comparison)) {
       outcomes.push_back(outcomeOf(study, comparison));
       if (outcomes.back().worse.empty() && !outcomes.back().isUnclear && isTested(comparison)) {
-        open.push_back(escaped(metric.name));
+        open.push_back(escaped(study.metrics[comparison.metric].name));
       }
     }
   }
   if (outcomes.empty()) {
     return {};
-  }
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    if (!comparisons.front().succeeds[option]) {
-      never.push_back(bold(study.options[option]));
-    }
   }
   std::string text = winsMarkup(study, outcomes);
   if (!open.empty()) {
@@ -225,11 +239,8 @@ std::string verdictMarkup(const Study& study, const Comparisons& comparisons) {
     text += "With " + sizeText(study) + ", no difference could be shown in " +
             (isNone ? "any metric" : listed(open)) + ". ";
   }
-  if (!never.empty()) {
-    text += listed(never) + (never.size() == 1 ? " never succeeds" : " never succeed") +
-            ", so only success is compared with " + (never.size() == 1 ? "it" : "them") + ". ";
-  }
-  text += "Paired tests" + (open.empty() ? " over " + sizeText(study) : std::string()) +
+  text += neverSucceedingMarkup(study, comparisons) + "Paired tests" +
+          (open.empty() ? " over " + sizeText(study) : std::string()) +
           ", p &lt; 0.05 after Holm&#39;s adjustment over " +
           counted(testCounts(comparisons).pairs, "test") + ".";
   return element("p", " class=\"verdict\"", text) + "\n";

@@ -48,6 +48,7 @@ class ContactAnalysis {
   std::optional<WorkerProcess> startCheckpoint();
   std::string answer(const std::string& request);
   bool analyse(std::size_t k);
+  bool analyseStep(std::size_t& next, const std::function<void(std::size_t)>& finished);
   bool findActions(std::size_t k);
   bool tryBraking(std::size_t k);
   base::Diagnostics failure(const char* code) const;
@@ -107,20 +108,14 @@ base::Diagnostics ContactAnalysis::analyse(const std::function<void(std::size_t)
       return failure("contacts.goes-elsewhere");
     }
     updateSights();
-    for (; next < contacts_.size() && contacts_[next].step == stepper_->step(); ++next) {
-      if (!analyse(next)) {
-        if (!wantsStop_()) {
-          return {base::error("contacts.no-process", {}, run_.bundle.path)};
-        }
-        contacts_.resize(next);
-        return {};
-      }
-      finished(next + 1);
+    const bool isDone = analyseStep(next, finished);
+    if (!isDone && wantsStop_()) {
+      contacts_.resize(next);
     }
     if (next == contacts_.size()) {
       return {};
     }
-    if (!addCheckpoint()) {
+    if (!isDone || !addCheckpoint()) {
       return {base::error("contacts.no-process", {}, run_.bundle.path)};
     }
     if (!stepper_->advance()) {
@@ -133,6 +128,19 @@ base::Diagnostics ContactAnalysis::analyse(const std::function<void(std::size_t)
   };
   contacts_.erase(std::find_if(contacts_.begin(), contacts_.end(), isAhead), contacts_.end());
   return {};
+}
+
+/// Analyses the contacts of the present step, which begin at `next`. False: a stop was requested,
+/// or there are no more processes; `next` is then the first one without a result.
+bool ContactAnalysis::analyseStep(std::size_t& next,
+                                  const std::function<void(std::size_t)>& finished) {
+  for (; next < contacts_.size() && contacts_[next].step == stepper_->step(); ++next) {
+    if (!analyse(next)) {
+      return false;
+    }
+    finished(next + 1);
+  }
+  return true;
 }
 
 void ContactAnalysis::updateSights() {
@@ -167,10 +175,11 @@ bool ContactAnalysis::addCheckpoint() {
     return true;
   }
   std::optional<WorkerProcess> process = startCheckpoint();
-  if (process) {
-    checkpoints_.push_back({step, *std::move(process)});
+  if (!process) {
+    return false;
   }
-  return process.has_value();
+  checkpoints_.push_back({step, *std::move(process)});
+  return true;
 }
 
 /// In a checkpoint. The request: "brake K" or "scan K ROBOT PERSON" for contact K, with 0 or 1 for

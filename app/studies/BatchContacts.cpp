@@ -112,6 +112,7 @@ base::Result<std::vector<ContactReport>> reportBatchContacts(
   std::sort(reports.begin(), reports.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<ContactReport> sorted;
+  sorted.reserve(reports.size());
   for (auto& [task, report] : reports) {
     sorted.push_back(std::move(report));
   }

@@ -150,6 +150,7 @@ void CmaEs::tell(const std::vector<double>& values) {
   updateMean(order);
   updateCovariance(order);
   std::vector<double> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t k : order) {
     sorted.push_back(values[k]);
   }

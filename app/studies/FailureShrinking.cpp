@@ -128,7 +128,6 @@ class SubsetRuns {
       : parts_(parts), kind_(kind), mostRuns_(mostRuns), run_(run), judge_(judge) {}
 
   /// The first true result is judged; those behind it are not.
-
   base::Result<std::vector<bool>> fails(const std::vector<ElementSet>& subsets) {
     std::vector<bool> results(subsets.size(), false);
     if (runs_ + subsets.size() > mostRuns_) {
@@ -136,6 +135,7 @@ class SubsetRuns {
       return results;
     }
     std::vector<RunRequest> requests;
+    requests.reserve(subsets.size());
     for (const ElementSet& subset : subsets) {
       requests.push_back(parts_.with(subset));
     }

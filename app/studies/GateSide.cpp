@@ -196,6 +196,7 @@ base::Result<std::vector<GateScenario>> selectedScenarios(std::vector<GateScenar
   std::vector<GateScenario> found;
   std::vector<std::string> names;
   base::Diagnostics problems;
+  names.reserve(all.size());
   for (const GateScenario& each : all) {
     names.push_back(each.name);
   }

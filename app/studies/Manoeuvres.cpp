@@ -63,6 +63,7 @@ std::vector<RobotManoeuvre> robotManoeuvres(const sim2d::TraceRobot& robot,
                                             const sim2d::BodyTwist& now) {
   const std::vector<LinearTarget> targets = linearTargets(robot, now.linear);
   std::vector<RobotManoeuvre> all;
+  all.reserve(3 * targets.size());  // with the sides
   for (const LinearTarget& target : targets) {
     all.push_back({target.name, {{kForever, {target.speed, 0.0, 0.0}}}});
   }

@@ -235,7 +235,10 @@ double fitnessOf(const ResultRow& row, const SearchPlan& plan) {
   }
   if (!plan.worst.empty()) {
     const double value = fieldNumber(row, plan.worst) * worseDirection(plan.worst);
-    return std::isnan(value) ? kUndefinedFitness : value;
+    if (std::isnan(value)) {
+      return kUndefinedFitness;
+    }
+    return value;
   }
   if (failureKindOf(row)) {
     const double end = base::parseDouble(row.simulated).value_or(0.0);

@@ -296,7 +296,8 @@ RunRequest TuneSubject::request(const std::string& scenario, long long seed,
     if (!isNav2_) {
       request.spec.set.push_back(prefix + parameter.name + "=" + values[k]);
     } else if (values[k] != parameter.present) {
-      request.spec.nav2Params.push_back(parameter.node + ":" + parameter.name + ":=" + values[k]);
+      std::string& added = request.spec.nav2Params.emplace_back(parameter.node);
+      added.append(":").append(parameter.name).append(":=").append(values[k]);
     }
   }
   return request;
