@@ -170,7 +170,8 @@ base::Diagnostics Tuner::combine() {
   std::set<std::size_t> changed;
   TunedValues together = base_;
   for (const TuneProbe* const probe : gains) {
-    if (!changed.insert(probe->parameter).second) {
+    if (changed.size() == static_cast<std::size_t>(options_.maxChanges) ||
+        !changed.insert(probe->parameter).second) {
       continue;
     }
     together[probe->parameter] = probe->to;
