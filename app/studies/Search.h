@@ -86,7 +86,7 @@ struct SearchResult {
 /// simulated, or the metric is undefined.
 double fitnessOf(const ResultRow& row, const SearchPlan& plan);
 
-/// Searches. To cover trees, it rates all runs anew after each batch, by the rarity of their nodes
+/// Searches. To cover trees, it rates all runs again after each batch, by the rarity of their nodes
 /// (SearchCoverage), and ends when there is no missing node; the results of `run` must have trees.
 /// Equal plans give equal results for any number of parallel processes. Errors: those of
 /// `run` and of the judge.

@@ -88,6 +88,14 @@ std::vector<RunRequest> firstSearchRequests(const Experiment& experiment,
   return requests;
 }
 
+std::vector<std::string> searchFileNames(const SearchPlan& plan) {
+  std::vector<std::string> names = {"archive.json", "runs.csv", "report.html"};
+  if (plan.covers) {
+    names.insert(names.end(), {"coverage.csv", kTreeCoverageFile});
+  }
+  return names;
+}
+
 std::vector<base::FileContent> searchFiles(const SearchStudy& study, const SearchOptions& options,
                                            const Invocation& given) {
   if (study.plan.covers) {
@@ -192,9 +200,7 @@ int searchCommand(const SearchOptions& options, const Invocation& given) {
   const SearchSpace space(*experiment, plan.covers ? SearchSpace::RunsEnd::AsInScenario
                                                    : SearchSpace::RunsEnd::AtFailures);
   const base::Result<std::unique_ptr<StudyFolder>> folder = StudyFolder::open(
-      options.output,
-      {"archive.json", "runs.csv", "coverage.csv", kTreeCoverageFile, "report.html"},
-      existingStudy(options.run.resume, options.run.force));
+      options.output, searchFileNames(plan), existingStudy(options.run.resume, options.run.force));
   requireFine(folder.diagnostics());
   RunProgress progress(given.quiet || given.json, options.runs, true);
   const std::unique_ptr<RunPool> pool =
