@@ -28,18 +28,19 @@ const Candidate& bestOf(const std::vector<RatedCandidate>& rated) {
 SearchEmitters::SearchEmitters(const SearchSpace& space, std::uint64_t seed)
     : space_(space), seed_(seed), random_(seed) {}
 
-std::vector<Candidate> SearchEmitters::first(std::size_t count, bool hasAllOptions) {
+std::vector<Candidate> SearchEmitters::first(std::size_t count, bool isBalanced) {
   std::vector<std::vector<double>> points(count);
   if (space_.dimensions() > 0) {
     points = designPoints({Design::Method::Sobol, count, seed_}, space_.dimensions());
   }
+  std::vector<std::vector<std::size_t>> balanced(count);
+  if (isBalanced) {
+    balanced = space_.balancedChoices(count, random_);
+  }
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < count; ++k) {
-    std::vector<std::size_t> choices = space_.randomChoices(random_);
-    if (hasAllOptions) {
-      space_.chooseOption(k, choices);
-    }
-    candidates.push_back({std::move(points[k]), std::move(choices)});
+    candidates.push_back({std::move(points[k]),
+                          isBalanced ? std::move(balanced[k]) : space_.randomChoices(random_)});
     if (space_.dimensions() == 0 && !proposed_.insert(candidates.back().choices).second) {
       candidates.pop_back();
     }

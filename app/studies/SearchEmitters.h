@@ -32,8 +32,8 @@ class SearchEmitters {
   SearchEmitters(const SearchSpace& space, std::uint64_t seed);
 
   /// Candidates spread over the whole space: a Sobol sequence with random categories.
-  /// `hasAllOptions`: with all options of each category but the seeds in turn.
-  std::vector<Candidate> first(std::size_t count, bool hasAllOptions = false);
+  /// `isBalanced`: with equally frequent options of each category instead of random ones.
+  std::vector<Candidate> first(std::size_t count, bool isBalanced = false);
   /// The next batch. `elites`: numbers of the runs in the archive; `rated`: all candidates so far,
   /// by number of their run.
   std::vector<Candidate> next(const std::vector<std::size_t>& elites,

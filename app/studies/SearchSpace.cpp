@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -14,7 +16,6 @@ using ValueKind = ExperimentValue::Kind;
 
 constexpr std::size_t kMostCombinations = 1'000'000'000;
 constexpr double kStuckAfter = 20.0;       // [s]
-constexpr std::size_t kSeeds = 1;          // the category of the seeds
 constexpr std::size_t kFirstCategory = 2;  // after scenarios and seeds
 
 bool isContinuous(const ExperimentValue& value) {
@@ -124,12 +125,22 @@ std::vector<std::size_t> SearchSpace::randomChoices(SearchRandom& random) const 
   return choices;
 }
 
-void SearchSpace::chooseOption(std::size_t number, std::vector<std::size_t>& choices) const {
-  for (std::size_t k = 0; k < choices.size(); ++k) {
-    if (k != kSeeds) {
-      choices[k] = number % optionCounts_[k];
+std::vector<std::vector<std::size_t>> SearchSpace::balancedChoices(std::size_t count,
+                                                                   SearchRandom& random) const {
+  std::vector<std::vector<std::size_t>> all(count);
+  for (const std::size_t options : optionCounts_) {
+    std::vector<std::size_t> left;  // of the present permutation
+    for (std::vector<std::size_t>& choices : all) {
+      if (left.empty()) {
+        left.resize(options);
+        std::iota(left.begin(), left.end(), std::size_t{0});
+      }
+      const std::size_t which = random.below(left.size());
+      choices.push_back(left[which]);
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(which));
     }
   }
+  return all;
 }
 
 void SearchSpace::mutate(std::vector<std::size_t>& choices, SearchRandom& random) const {

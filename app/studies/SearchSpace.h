@@ -61,8 +61,10 @@ class SearchSpace {
   }
 
   std::vector<std::size_t> randomChoices(SearchRandom& random) const;
-  /// The option `number` of each category but the seeds, from the first one on after the last.
-  void chooseOption(std::size_t number, std::vector<std::size_t>& choices) const;
+  /// So many choices in which the options of each category are equally frequent: a sequence of
+  /// random permutations per category.
+  std::vector<std::vector<std::size_t>> balancedChoices(std::size_t count,
+                                                        SearchRandom& random) const;
   /// Another option of one random category that has several; nothing if there is none.
   void mutate(std::vector<std::size_t>& choices, SearchRandom& random) const;
 

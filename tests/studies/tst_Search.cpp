@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <QTemporaryDir>
@@ -168,6 +169,24 @@ class SearchTest : public QObject {
       seen.insert(choices);
     }
     QCOMPARE(seen.size(), std::size_t{4});
+  }
+
+  void balancedChoices_options_areEquallyFrequent() {
+    const Experiment experiment =
+        experimentOf("  robot1.planner: [pursuit, orca, dwa]\n  p01.max_vel: [0.8, 1.0]\n", "1");
+    app::SearchRandom random(7);
+    const auto all = SearchSpace(experiment).balancedChoices(12, random);
+    std::map<std::size_t, int> planners, speeds;
+    std::set<std::vector<std::size_t>> combinations;
+    for (const std::vector<std::size_t>& choices : all) {
+      QCOMPARE(choices.size(), std::size_t{4});
+      ++planners[choices[2]];
+      ++speeds[choices[3]];
+      combinations.insert(choices);
+    }
+    QCOMPARE(planners, (std::map<std::size_t, int>{{0, 4}, {1, 4}, {2, 4}}));
+    QCOMPARE(speeds, (std::map<std::size_t, int>{{0, 6}, {1, 6}}));
+    QVERIFY(combinations.size() > 3);  // not always the same pairs
   }
 
   void narrowFailure_isFoundByTheGap_data() { addSeeds(); }
