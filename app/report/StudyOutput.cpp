@@ -341,6 +341,34 @@ SearchOutput searchOutputOf(const OutputJson& json) {
   return output;
 }
 
+CoverOutput coverOutputOf(const OutputJson& json) {
+  CoverOutput output;
+  output.runs = countIn(json, "runs");
+  output.notSimulated = countIn(json, "not_simulated");
+  output.nodes = countIn(json, "nodes");
+  output.reached = countIn(json, "reached");
+  output.unreachable = countIn(json, "unreachable");
+  for (const OutputJson& tree : json.at("trees")) {
+    output.trees.push_back({countIn(tree, "tree"), stringIn(tree, "owners"),
+                            textsIn(tree, "scenarios"), countIn(tree, "runs"),
+                            countIn(tree, "nodes"), countIn(tree, "reached"),
+                            textsIn(tree, "never_reached"), textsIn(tree, "unreachable")});
+  }
+  for (const OutputJson& each : json.at("archive")) {
+    CoverOutput::Run run;
+    run.number = countIn(each, "run");
+    run.scenario = stringIn(each, "scenario");
+    run.seed = each.at("seed").get<long long>();
+    run.reason = stringIn(each, "reason");
+    for (const OutputJson& node : each.at("nodes")) {
+      run.nodes.push_back(std::to_string(countIn(node, "tree")) + ": " + stringIn(node, "node"));
+    }
+    run.play = stringIn(each, "play");
+    output.coveringRuns.push_back(std::move(run));
+  }
+  return output;
+}
+
 StudyOutput outputOf(const std::string& name, const OutputJson& json) {
   if (name == kTuneFile) {
     return tuneOutputOf(json);
@@ -350,6 +378,9 @@ StudyOutput outputOf(const std::string& name, const OutputJson& json) {
   }
   if (name == kSensitivityFile) {
     return sensitivityOutputOf(json);
+  }
+  if (json.contains("cover")) {
+    return coverOutputOf(json);
   }
   return searchOutputOf(json);
 }

@@ -118,7 +118,7 @@ struct SensitivityOutput {
   std::vector<std::string> constantMetrics;  // keys
 };
 
-/// archive.json of `search`.
+/// archive.json of `search --until-failure` and `--worst`.
 struct SearchOutput {
   std::string worstMetric;  // key; empty: the search was for failures
   std::size_t runs = 0, notSimulated = 0, unavoidable = 0;
@@ -149,7 +149,32 @@ struct SearchOutput {
   std::vector<Cell> cells;
 };
 
-using StudyOutput = std::variant<TuneOutput, GateOutput, SensitivityOutput, SearchOutput>;
+/// archive.json of `search --cover`.
+struct CoverOutput {
+  std::size_t runs = 0, notSimulated = 0;
+  std::size_t nodes = 0, reached = 0, unreachable = 0;  // of all trees
+  struct Tree {
+    std::size_t number = 0;  // from 1
+    std::string owners;      // people and robots that have it
+    std::vector<std::string> scenarios;
+    std::size_t runs = 0, nodes = 0, reached = 0;
+    std::vector<std::string> neverReached, unreachable;  // paths of nodes
+  };
+  std::vector<Tree> trees;
+  /// A run that reached nodes first.
+  struct Run {
+    std::size_t number = 0;
+    std::string scenario;
+    long long seed = 1;
+    std::string reason;              // of its end
+    std::vector<std::string> nodes;  // "1: path of the node"
+    std::string play;                // command line that opens the run in the window
+  };
+  std::vector<Run> coveringRuns;
+};
+
+using StudyOutput =
+    std::variant<TuneOutput, GateOutput, SensitivityOutput, SearchOutput, CoverOutput>;
 
 /// The JSON file in an output folder of these commands, or this file itself, beside its
 /// manifest.json; nullopt: the path is neither.

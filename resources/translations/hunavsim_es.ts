@@ -5751,6 +5751,93 @@ Elegir qué muestra el mapa</translation>
     </message>
 </context>
 <context>
+    <name>app::CoverPage</name>
+    <message>
+        <source>Trees</source>
+        <translation>Árboles</translation>
+    </message>
+    <message>
+        <source>Never reached</source>
+        <translation>Nunca alcanzados</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Ejecuciones</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Árbol</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Escenarios</translation>
+    </message>
+    <message>
+        <source>Reached nodes</source>
+        <translation>Nodos alcanzados</translation>
+    </message>
+    <message>
+        <source>Unreachable</source>
+        <translation>Inalcanzables</translation>
+    </message>
+    <message>
+        <source>Nodes of the behaviour trees of people and of Nav2 that at least one run has executed. Unreachable: the structure of the tree excludes them.</source>
+        <translation>Nodos de los árboles de comportamiento de personas y de Nav2 que al menos una ejecución ha ejecutado. Inalcanzables: la estructura del árbol los excluye.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Nodo</translation>
+    </message>
+    <message>
+        <source>All nodes that can be reached were reached.</source>
+        <translation>Se alcanzaron todos los nodos que se pueden alcanzar.</translation>
+    </message>
+    <message>
+        <source>No run has executed a node of a behaviour tree.</source>
+        <translation>Ninguna ejecución ha ejecutado un nodo de un árbol de comportamiento.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Final</translation>
+    </message>
+    <message>
+        <source>New nodes</source>
+        <translation>Nodos nuevos</translation>
+    </message>
+    <message>
+        <source>Double-click a run to play it</source>
+        <translation>Doble clic en una ejecución para reproducirla</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>la ejecución %1</translation>
+    </message>
+    <message>
+        <source>Runs that executed nodes which no earlier run had executed. Double-click or Enter plays a run.</source>
+        <translation>Ejecuciones que ejecutaron nodos que ninguna anterior había ejecutado. Doble clic o Intro reproducen una ejecución.</translation>
+    </message>
+</context>
+<context>
     <name>app::DiffView</name>
     <message>
         <source>Differences</source>
@@ -6781,6 +6868,14 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
     <message>
         <source>No improvement found: none of %1 candidates was better than the present values</source>
         <translation>No se encontró ninguna mejora: ninguno de %1 candidatos fue mejor que los valores actuales</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes of behaviour trees were reached in %3</source>
+        <translation>Se alcanzaron %1 de %2 nodos de árboles de comportamiento en %3</translation>
+    </message>
+    <message>
+        <source>Nodes that cannot be reached: %1</source>
+        <translation>Nodos que no se pueden alcanzar: %1</translation>
     </message>
 </context>
 <context>

@@ -5751,6 +5751,93 @@ Choose what the map shows</source>
     </message>
 </context>
 <context>
+    <name>app::CoverPage</name>
+    <message>
+        <source>Trees</source>
+        <translation>行为树</translation>
+    </message>
+    <message>
+        <source>Never reached</source>
+        <translation>从未到达</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>行为树</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>所属</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Reached nodes</source>
+        <translation>到达的节点</translation>
+    </message>
+    <message>
+        <source>Unreachable</source>
+        <translation>不可到达</translation>
+    </message>
+    <message>
+        <source>Nodes of the behaviour trees of people and of Nav2 that at least one run has executed. Unreachable: the structure of the tree excludes them.</source>
+        <translation>至少有一次运行执行过的人员和 Nav2 行为树的节点。不可到达：树的结构将其排除。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>All nodes that can be reached were reached.</source>
+        <translation>所有可到达的节点均已到达。</translation>
+    </message>
+    <message>
+        <source>No run has executed a node of a behaviour tree.</source>
+        <translation>没有运行执行过行为树的节点。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>结束原因</translation>
+    </message>
+    <message>
+        <source>New nodes</source>
+        <translation>新节点</translation>
+    </message>
+    <message>
+        <source>Double-click a run to play it</source>
+        <translation>双击运行可播放</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>运行 %1</translation>
+    </message>
+    <message>
+        <source>Runs that executed nodes which no earlier run had executed. Double-click or Enter plays a run.</source>
+        <translation>执行了此前任何运行都未执行过的节点的运行。双击或 Enter 播放运行。</translation>
+    </message>
+</context>
+<context>
     <name>app::DiffView</name>
     <message>
         <source>Differences</source>
@@ -6781,6 +6868,14 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
     <message>
         <source>No improvement found: none of %1 candidates was better than the present values</source>
         <translation>未找到改进：%1 个候选均不优于当前值</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes of behaviour trees were reached in %3</source>
+        <translation>在 %3 中到达了行为树的 %1 / %2 个节点</translation>
+    </message>
+    <message>
+        <source>Nodes that cannot be reached: %1</source>
+        <translation>不可到达的节点：%1</translation>
     </message>
 </context>
 <context>

@@ -172,6 +172,23 @@ constexpr char kWorstOutput[] = R"({
   "cells": []
 })";
 
+/// Two trees; a node of the first is missing, one cannot be reached.
+constexpr char kCoverOutput[] = R"({
+  "hunavsim_search": 1, "cover": true, "search_seed": 1, "runs": 12, "not_simulated": 0,
+  "nodes": 8, "reached": 6, "unreachable": 1, "complete": false,
+  "trees": [
+    {"tree": 1, "owners": "anna, ben", "scenarios": ["yard"], "runs": 12, "nodes": 5,
+     "reached": 3, "never_reached": ["Main/Fallback/Run"], "unreachable": ["Main/Never"]},
+    {"tree": 2, "owners": "robot1", "scenarios": ["yard"], "runs": 12, "nodes": 3, "reached": 3,
+     "never_reached": [], "unreachable": []}],
+  "archive": [
+    {"run": 4, "scenario": "yard", "seed": 5, "values": {}, "reason": "duration",
+     "simulated": "1", "new_nodes": 2,
+     "nodes": [{"tree": 1, "node": "Main"}, {"tree": 2, "node": "Nav"}],
+     "play": "hunavsim yard.yaml --seed 5 --duration 1",
+     "command": "hunavsim run yard.yaml --seed 5 --duration 1"}]
+})";
+
 /// Writes a folder as the commands do.
 inline QString writeOutput(const QString& folder, const char* file, const QByteArray& json) {
   QDir().mkpath(folder);

@@ -100,6 +100,16 @@ class StudyOutputTest : public QObject, InFolder {
     QCOMPARE(worst.worstValue, 0.25);
   }
 
+  void cover_isReadAsWritten() {
+    const auto cover =
+        outputIn<CoverOutput>(writeOutput(path("cover"), "archive.json", kCoverOutput));
+    QCOMPARE(cover.reached, std::size_t{6});
+    QCOMPARE(cover.trees.size(), std::size_t{2});
+    QCOMPARE(cover.trees[0].neverReached, std::vector<std::string>{"Main/Fallback/Run"});
+    QCOMPARE(cover.coveringRuns[0].nodes, (std::vector<std::string>{"1: Main", "2: Nav"}));
+    QCOMPARE(cover.coveringRuns[0].play, std::string("hunavsim yard.yaml --seed 5 --duration 1"));
+  }
+
   /// A folder, or the file in it; other files of the same name have no manifest beside them.
   void folder_isRecognised() {
     const QString folder = writeOutput(path("one"), "gate.json", kGateOutput);
@@ -163,6 +173,9 @@ class StudyOutputTest : public QObject, InFolder {
         list("search study.yaml --until-failure --runs 2 --shrink-runs 0 -o s"), path("."));
     QVERIFY2(search.exitCode == 0, qPrintable(search.err));
     QCOMPARE(outputIn<SearchOutput>(path("s")).descriptors.size(), std::size_t{2});
+    const Finished cover = runProgram(list("search study.yaml --cover --runs 2 -o c"), path("."));
+    QVERIFY2(cover.exitCode == 0, qPrintable(cover.err));
+    QVERIFY(!outputIn<CoverOutput>(path("c")).trees.empty());
     const Finished sensitivity =
         runProgram(list("sensitivity study.yaml --points 2 --no-pdf -o m"), path("."));
     QVERIFY2(sensitivity.exitCode == 0, qPrintable(sensitivity.err));

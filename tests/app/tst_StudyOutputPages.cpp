@@ -270,6 +270,23 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     QCOMPARE(played.count(), 2);
   }
 
+  void coverage_showsTreesAndPlaysRuns() {
+    writeText(at("yard.yaml"), kYardText);
+    open("cover", "archive.json", kCoverOutput);
+    QCOMPARE(panel().message(), text("6 of 8 nodes of behaviour trees were reached in 12 runs. "
+                                     "Nodes that cannot be reached: 1"));
+    const QTableWidget& trees = table("Trees");
+    QCOMPARE(numbersOf(trees, 0, 4, app::kBarRole)[0], 3.0);
+    QCOMPARE(numbersOf(trees, 0, 4, app::kBarRole)[3], 5.0);
+    QCOMPARE(cell(trees, 1, 4), text("3 of 3"));
+    QCOMPARE(cell(table("Never reached"), 0, 2), text("Main/Fallback/Run"));
+    quiet::shoot(*window_, "output-cover");
+    showTab(2);
+    QSignalSpy played(&panel(), &StudyPanel::openRunRequested);
+    doubleClick(table("Runs"), 0, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
+  }
+
   void worstRun_isTheFirstRow() {
     open("worst", "archive.json", kWorstOutput);
     const QTableWidget& failures = table("Failures");

@@ -14,21 +14,25 @@ namespace app {
 
 namespace {
 
-/// The function of the page of each kind of results.
-template <class Tune, class Gate, class Sensitivity, class Search>
-auto forOutput(const report::StudyOutput& output, Tune tune, Gate gate, Sensitivity sensitivity,
-               Search search) {
-  if (const auto* const tuned = std::get_if<report::TuneOutput>(&output)) {
-    return tune(*tuned);
+/// The page of each kind of results.
+struct PageMaker {
+  const OutputPlace& place;
+  OutputPage* operator()(const report::TuneOutput& of) const { return makeTunePage(of, place); }
+  OutputPage* operator()(const report::GateOutput& of) const { return makeGatePage(of, place); }
+  OutputPage* operator()(const report::SensitivityOutput& of) const {
+    return makeSensitivityPage(of, place);
   }
-  if (const auto* const gated = std::get_if<report::GateOutput>(&output)) {
-    return gate(*gated);
-  }
-  if (const auto* const analysed = std::get_if<report::SensitivityOutput>(&output)) {
-    return sensitivity(*analysed);
-  }
-  return search(std::get<report::SearchOutput>(output));
-}
+  OutputPage* operator()(const report::SearchOutput& of) const { return makeSearchPage(of, place); }
+  OutputPage* operator()(const report::CoverOutput& of) const { return makeCoverPage(of, place); }
+};
+
+struct HeadlineMaker {
+  QString operator()(const report::TuneOutput& of) const { return tuneHeadline(of); }
+  QString operator()(const report::GateOutput& of) const { return gateHeadline(of); }
+  QString operator()(const report::SensitivityOutput& of) const { return sensitivityHeadline(of); }
+  QString operator()(const report::SearchOutput& of) const { return searchHeadline(of); }
+  QString operator()(const report::CoverOutput& of) const { return coverHeadline(of); }
+};
 
 }  // namespace
 
@@ -49,15 +53,11 @@ void OutputPage::addPage(const QString& title, QWidget* page) {
 }
 
 OutputPage* makeOutputPage(const report::StudyOutput& output, const OutputPlace& place) {
-  return forOutput(
-      output, [&place](const auto& of) { return makeTunePage(of, place); },
-      [&place](const auto& of) { return makeGatePage(of, place); },
-      [&place](const auto& of) { return makeSensitivityPage(of, place); },
-      [&place](const auto& of) { return makeSearchPage(of, place); });
+  return std::visit(PageMaker{place}, output);
 }
 
 QString outputHeadline(const report::StudyOutput& output) {
-  return forOutput(output, tuneHeadline, gateHeadline, sensitivityHeadline, searchHeadline);
+  return std::visit(HeadlineMaker(), output);
 }
 
 QString outputMetricTitle(const std::string& label, bool withUnit) {

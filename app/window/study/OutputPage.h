@@ -42,6 +42,7 @@ OutputPage* makeTunePage(const report::TuneOutput& output, const OutputPlace& pl
 OutputPage* makeGatePage(const report::GateOutput& output, const OutputPlace& place);
 OutputPage* makeSensitivityPage(const report::SensitivityOutput& output, const OutputPlace& place);
 OutputPage* makeSearchPage(const report::SearchOutput& output, const OutputPlace& place);
+OutputPage* makeCoverPage(const report::CoverOutput& output, const OutputPlace& place);
 OutputPage* makeOutputPage(const report::StudyOutput& output, const OutputPlace& place);
 
 /// The verdict or size of the results as a sentence.
@@ -50,6 +51,7 @@ QString tuneHeadline(const report::TuneOutput& output);
 QString gateHeadline(const report::GateOutput& output);
 QString sensitivityHeadline(const report::SensitivityOutput& output);
 QString searchHeadline(const report::SearchOutput& output);
+QString coverHeadline(const report::CoverOutput& output);
 
 // Parts of pages.
 
