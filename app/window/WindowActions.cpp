@@ -49,8 +49,10 @@ void WindowActions::makeFileActions() {
   newFromMap = make(tr("New from a &map…"), tr("Create a scenario on a Nav2 map or a map image"),
                     kCtrl | kShift | Qt::Key_N, "start-map");
   open = make(tr("&Open…"), tr("Open a scenario or a map"), QKeySequence::Open, "file-open");
-  openRun = make(tr("Open r&un…"), tr("Open a recorded run: the output folder of `run`"),
-                 kCtrl | kShift | Qt::Key_O);
+  openRun =
+      make(tr("Open r&un…"),
+           tr("Open a recorded run or the results of a study: the output folder of a command"),
+           kCtrl | kShift | Qt::Key_O);
   save = make(tr("&Save"), tr("Save the scenario and its behaviour trees"), QKeySequence::Save,
               "file-save");
   saveAs =

@@ -8902,10 +8902,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Abrir &amp;ejecución…</translation>
     </message>
     <message>
-        <source>Open a recorded run: the output folder of `run`</source>
-        <translation>Abrir una ejecución grabada: la carpeta de salida de `run`</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Guardar</translation>
     </message>
@@ -9336,6 +9332,10 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>items</source>
         <translation>elementos</translation>
+    </message>
+    <message>
+        <source>Open a recorded run or the results of a study: the output folder of a command</source>
+        <translation>Abrir una ejecución grabada o los resultados de un estudio: la carpeta de salida de un comando</translation>
     </message>
 </context>
 <context>

@@ -8902,10 +8902,6 @@ For each seed, all planners run with the same people.</source>
         <translation>打开运行(&amp;U)…</translation>
     </message>
     <message>
-        <source>Open a recorded run: the output folder of `run`</source>
-        <translation>打开已录制的运行：`run` 的输出文件夹</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
     </message>
@@ -9336,6 +9332,10 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>items</source>
         <translation>个对象</translation>
+    </message>
+    <message>
+        <source>Open a recorded run or the results of a study: the output folder of a command</source>
+        <translation>打开已录制的运行或研究的结果：命令的输出文件夹</translation>
     </message>
 </context>
 <context>

@@ -116,6 +116,7 @@ class GatePage : public OutputPage {
 
  private:
   QWidget* makePairs() {
+    pairs_ = new QTableWidget(this);
     styleStudyTable(*pairs_, tr("Pairs in which the candidate is worse"));
     setStudyColumns(*pairs_, {tr("Scenario"), tr("Seed"), tr("Candidate")}, {0, 2});
     pairs_->verticalHeader()->setDefaultSectionSize(kPairHeight);
@@ -166,7 +167,7 @@ class GatePage : public OutputPage {
 
   static constexpr int kPairHeight = 24;  // [px]
   const GateOutput output_;
-  QTableWidget* pairs_ = new QTableWidget;
+  QTableWidget* pairs_ = nullptr;  // none: no pairs are listed
 };
 
 QStringList worseTitles(const GateOutput& output) {

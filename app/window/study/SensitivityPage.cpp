@@ -83,21 +83,35 @@ QTableWidgetItem* barCell(double value, const statistics::Interval& interval, do
 class SensitivityPage : public OutputPage {
   Q_DECLARE_TR_FUNCTIONS(app::SensitivityPage)
  public:
-  SensitivityPage(const SensitivityOutput& output, const OutputPlace& place)
-      : output_(output), plane_(new editor::ScatterPlot(place.theme, tr("Plane of μ* and σ"))) {
+  SensitivityPage(const SensitivityOutput& output, const OutputPlace& place) : output_(output) {
     addPage(tr("Importance"), output.results.empty()
                                   ? static_cast<QWidget*>(editor::emptyState(
                                         tr("No metric varies in this study."), this))
-                                  : makeImportance());
+                                  : makeImportance(place.theme));
     addPage(tr("Uncertain results"), makeUncertain());
-    if (output.results.empty()) {
-      plane_->setParent(this);
-      plane_->hide();
-    }
   }
 
  private:
-  QWidget* makeImportance() {
+  QWidget* makeImportance(const editor::Theme& theme) {
+    metrics_ = new editor::ChoiceField(this);
+    cases_ = new editor::ChoiceField(this);
+    table_ = new QTableWidget(this);
+    plane_ = new editor::ScatterPlot(theme, tr("Plane of μ* and σ"), this);
+    fillChoices();
+    auto* content = new QWidget(this);
+    auto* rows = editor::configuredLayout(new QVBoxLayout(content), {}, 0);
+    rows->addLayout(makeChoices());
+    rows->addWidget(makeHalves(), 1);
+    connect(metrics_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            [this] { showResult(); });
+    connect(cases_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            [this] { showResult(); });
+    connectPlane();
+    showResult();
+    return pageWithNote(content, note());
+  }
+
+  void fillChoices() {
     for (const SensitivityOutput::Result& result : output_.results) {
       const QString key = QString::fromStdString(result.metric);
       if (metrics_->findData(key) < 0) {
@@ -108,35 +122,33 @@ class SensitivityPage : public OutputPage {
         cases_->addItem(name, name);
       }
     }
+  }
+
+  QLayout* makeChoices() {
     metrics_->setAccessibleName(tr("Metric"));
     cases_->setAccessibleName(tr("Case"));
     cases_->setToolTip(tr("Scenario and listed values"));
-    auto* head = editor::configuredLayout(new QHBoxLayout, {12, 6, 12, 6}, 8);
-    head->addWidget(new QLabel(tr("Metric")));
-    head->addWidget(metrics_);
-    head->addWidget(new QLabel(tr("Case")));
-    head->addWidget(cases_);
-    head->addStretch();
+    auto* row = editor::configuredLayout(new QHBoxLayout, {12, 6, 12, 6}, 8);
+    row->addWidget(new QLabel(tr("Metric"), this));
+    row->addWidget(metrics_);
+    row->addWidget(new QLabel(tr("Case"), this));
+    row->addWidget(cases_);
+    row->addStretch();
+    return row;
+  }
+
+  QWidget* makeHalves() {
     styleStudyTable(*table_, tr("Importance"));
     table_->verticalHeader()->setDefaultSectionSize(kFactorRow);
-    auto* halves = new QSplitter(Qt::Horizontal);
+    auto* halves = new QSplitter(Qt::Horizontal, this);
     halves->setChildrenCollapsible(false);
     halves->addWidget(table_);
     halves->addWidget(plane_);
-    halves->setStretchFactor(0, 1);
+    halves->setStretchFactor(0, 2);
+    halves->setStretchFactor(1, 1);
     plane_->setMinimumWidth(kLeastPlane);
     plane_->setVisible(output_.isMorris);
-    auto* content = new QWidget;
-    auto* rows = editor::configuredLayout(new QVBoxLayout(content), {}, 0);
-    rows->addLayout(head);
-    rows->addWidget(halves, 1);
-    connect(metrics_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-            [this] { showResult(); });
-    connect(cases_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-            [this] { showResult(); });
-    connectPlane();
-    showResult();
-    return pageWithNote(content, note());
+    return halves;
   }
 
   /// Rows and points have the same order.
@@ -288,10 +300,10 @@ class SensitivityPage : public OutputPage {
   static constexpr int kFactorRow = 24;    // [px]
   static constexpr int kLeastPlane = 260;  // [px]
   const SensitivityOutput output_;
-  QComboBox* metrics_ = new editor::ChoiceField(this);
-  QComboBox* cases_ = new editor::ChoiceField(this);
-  QTableWidget* table_ = new QTableWidget(this);
-  editor::ScatterPlot* plane_;
+  QComboBox* metrics_ = nullptr;
+  QComboBox* cases_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  editor::ScatterPlot* plane_ = nullptr;
 };
 
 }  // namespace

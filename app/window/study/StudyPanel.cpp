@@ -159,6 +159,7 @@ QWidget* StudyPanel::makeHead() {
 
 QWidget* StudyPanel::makeState() {
   auto* state = new QWidget(this);
+  messageLabel_->setTextFormat(Qt::PlainText);  // names of files are no markup
   messageLabel_->setWordWrap(true);
   messageLabel_->setAlignment(Qt::AlignLeft | Qt::AlignTop);  // long messages begin readable
   messageLabel_->setFixedHeight(kMessageLines * messageLabel_->fontMetrics().lineSpacing() + 2);

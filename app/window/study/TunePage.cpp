@@ -264,6 +264,8 @@ class TunePage : public OutputPage {
       halves->setChildrenCollapsible(false);
       halves->addWidget(makePlane(*table));
       halves->addWidget(table);
+      halves->setStretchFactor(0, 1);
+      halves->setStretchFactor(1, 1);
       content = halves;
     }
     return pageWithNote(content,

@@ -164,7 +164,7 @@ QPointF ScatterPlot::onCanvas(const PlottedPoint& point) const {
 
 QPoint ScatterPlot::placeOf(int point) const {
   const QPointF at = onCanvas(shown_.points[static_cast<std::size_t>(point)]);
-  return plot_->canvas()->mapTo(const_cast<ScatterPlot*>(this), at.toPoint());
+  return plot_->canvas()->mapTo(this, at.toPoint());
 }
 
 void ScatterPlot::addMarker(double x, double y, const QString& text, Qt::Alignment side) {
