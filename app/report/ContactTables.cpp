@@ -134,12 +134,20 @@ Table contactsTable(const Study& study, std::size_t most) {
       "body "
       "that would have avoided the contact, at or after the first sight of the other. Until: the "
       "last instant of such an action. Needed: people without whom the contact does not happen.";
-  table.columns = {
-      {"Run", {}, true},          {"Scenario", {}, false},     {"Seed", {}, true},
-      {"Planner", {}, false},     {"Time", "s", true},         {"Robot", {}, false},
-      {"Person", {}, false},      {"Could avoid", {}, false},  {"Robot until", "s", true},
-      {"First sight", "s", true}, {"Braking then", {}, false}, {"Person until", "s", true},
-      {"Needed", {}, false},      {"Play", {}, false}};
+  table.columns = {{"Run", {}, true},
+                   {"Scenario", {}, false},
+                   {"Seed", {}, true},
+                   {"Planner", {}, false},
+                   {"Time", "s", true},
+                   {"Robot", {}, false},
+                   {"Person", {}, false},
+                   {"Could avoid", {}, false},
+                   {"Robot until", "s", true},
+                   {"First sight", "s", true},
+                   {"Braking at first sight", {}, false},
+                   {"Person until", "s", true},
+                   {"Needed", {}, false},
+                   {"Play", {}, false}};
   for (const ContactReport& report : *study.contacts) {
     for (const ReportedContact& reported : report.contacts) {
       if (table.rows.size() < most) {
