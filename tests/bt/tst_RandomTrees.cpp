@@ -232,7 +232,7 @@ class Pair {
       }
     }
     for (const auto& child : node.children) {
-      const QString found = differingResult(*child, place);
+      QString found = differingResult(*child, place);
       if (!found.isEmpty()) {
         return found;
       }
