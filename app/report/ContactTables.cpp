@@ -18,7 +18,7 @@ using app::ContactReport;
 using app::ReportedContact;
 using Cell = Table::Cell;
 
-constexpr std::size_t kMostRows = 200;  // of a table on the page
+constexpr std::size_t kMostContactRows = 200;  // of a table on the page
 
 Cell timeCell(const std::optional<double>& time) {
   return time ? numberCell(numberText(*time, 2), *time) : Cell{"–"};
@@ -235,16 +235,16 @@ void addContactsSection(const Study& study, PageParts& parts) {
   if (count == 0) {
     parts.body += paragraph("No run has a contact of a robot with a person.");
   } else {
-    Table shown = contactsTable(study, kMostRows);
-    shown.caption += count > kMostRows
-                         ? " The first " + std::to_string(kMostRows) + " of " +
+    Table shown = contactsTable(study, kMostContactRows);
+    shown.caption += count > kMostContactRows
+                         ? " The first " + std::to_string(kMostContactRows) + " of " +
                                std::to_string(count) + "; tables/contacts.csv contains all."
                          : std::string();
     parts.body += tableHtml(shown, "failures");
     parts.report.tables.push_back(contactsTable(study, kAll));
   }
   parts.add(contactPlannersTable(study));
-  if (const std::optional<Table> people = contactPeopleTable(study, kMostRows)) {
+  if (const std::optional<Table> people = contactPeopleTable(study, kMostContactRows)) {
     parts.body += tableHtml(*people);
     parts.report.tables.push_back(*contactPeopleTable(study, kAll));
   }

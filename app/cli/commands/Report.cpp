@@ -124,7 +124,7 @@ base::Diagnostics parseReportOptions(const ReportOptions& options,
 }
 
 /// Repeats the runs of the batch to analyse their contacts. False: interrupted.
-bool addContacts(const ReportOptions& options, bool quiet, report::Study& study) {
+bool analyseContacts(const ReportOptions& options, bool quiet, report::Study& study) {
   ContactReportOptions analysis;
   analysis.jobs = options.jobs;
   catchInterrupts();
@@ -159,7 +159,7 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
   requireFine(study.diagnostics());
   if (options.analysesContacts) {
     progress.clear();
-    if (!addContacts(options, given.quiet || given.json, *study)) {
+    if (!analyseContacts(options, given.quiet || given.json, *study)) {
       printError("interrupted: no report was written");
       return ExitRunFailed;
     }
