@@ -73,6 +73,7 @@ app::TuneDifference tuneDifferenceIn(const OutputJson& json) {
 std::vector<app::TuneDifference> objectivesIn(const OutputJson& json,
                                               const std::vector<std::string>& keys) {
   std::vector<app::TuneDifference> all;
+  all.reserve(keys.size());
   for (const std::string& key : keys) {
     all.push_back(tuneDifferenceIn(json.at(key)));
   }
