@@ -25,6 +25,12 @@ bool isFallback(std::string_view id) {
   return id == "Fallback" || id == "AsyncFallback" || id == "ReactiveFallback";
 }
 
+/// Results of a decorator that replaces SUCCESS and FAILURE of its child by these.
+Results mapped(Results child, Results success, Results failure) {
+  return (child & (kCanRun | kCanSkip)) | ((child & kCanSucceed) != 0 ? success : 0) |
+         ((child & kCanFail) != 0 ? failure : 0);
+}
+
 class ReachabilityAnalysis {
  public:
   explicit ReachabilityAnalysis(const Program& program)
@@ -88,15 +94,13 @@ class ReachabilityAnalysis {
       return resultsOfChain(node, isSequence(id) ? kCanFail : kCanSucceed);
     }
     if (id == "Inverter") {
-      const Results child = results(node + 1);
-      return (child & (kCanRun | kCanSkip)) | ((child & kCanSucceed) != 0 ? kCanFail : 0) |
-             ((child & kCanFail) != 0 ? kCanSucceed : 0);
+      return mapped(results(node + 1), kCanFail, kCanSucceed);
     }
-    if (id == "ForceSuccess" || id == "ForceFailure") {
-      const Results child = results(node + 1);
-      const bool isDone = (child & (kCanSucceed | kCanFail)) != 0;
-      const Results forced = id == "ForceSuccess" ? kCanSucceed : kCanFail;
-      return (child & (kCanRun | kCanSkip)) | (isDone ? forced : 0);
+    if (id == "ForceSuccess") {
+      return mapped(results(node + 1), kCanSucceed, kCanSucceed);
+    }
+    if (id == "ForceFailure") {
+      return mapped(results(node + 1), kCanFail, kCanFail);
     }
     if (program_.node(node).children == 0) {
       return kResultsOfLeaves;
