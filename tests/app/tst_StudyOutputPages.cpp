@@ -86,6 +86,7 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     QVERIFY2(cell(metrics, 1, 3).startsWith(text("+20 [10, 30] %")),
              qPrintable(cell(metrics, 1, 3)));
     QCOMPARE(cell(metrics, 0, 1), text("87.5 %"));
+    QCOMPARE(cell(metrics, 0, 4), text("5 points"));
     QCOMPARE(cell(metrics, 0, 5), text("pass"));
     QCOMPARE(cell(metrics, 1, 5), text("worse"));
     QCOMPARE(cell(metrics, 2, 5), text("not measured"));
@@ -241,6 +242,9 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     QCOMPARE(cell(archive, 1, 0), QString());  // undefined, first
     QVERIFY(archive.item(1, 0) != nullptr && archive.item(2, 0) == nullptr);
     QCOMPARE(archive.verticalHeaderItem(0)->text(), text("2.0"));
+    // The best run is the darkest.
+    QCOMPARE(archive.item(0, 2)->data(app::kHeatRole).toDouble(), 1.0);
+    QCOMPARE(archive.item(1, 0)->data(app::kHeatRole).toDouble(), 0.0);
     quiet::shoot(*window_, "output-archive");
   }
 

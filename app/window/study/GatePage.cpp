@@ -5,6 +5,7 @@
 #include "app/window/study/StudyTable.h"
 #include "editor/look/Form.h"
 #include "editor/look/TableExport.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -67,7 +68,8 @@ void fillGateRow(QTableWidget& table, int row, const GateOutput::Metric& metric,
                                                    kMarginsShown * metric.margin, unit, 1.0,
                                                    {marginPlace(metric)})
                                   : studyCell(OutputPage::tr("–"), false));
-  const QString margin = outputNumber(std::round(1e6 * metric.margin) / 1e6);
+  const QString margin =
+      QString::fromStdString(base::formatDecimals(std::round(1e6 * metric.margin) / 1e6, 0));
   table.setItem(row, GateMargin,
                 studyCell(unit.isEmpty() ? margin : margin + QLatin1Char(' ') + unit, false));
   QTableWidgetItem* word = studyCell(verdictWord(metric), true);

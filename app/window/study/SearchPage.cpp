@@ -127,7 +127,8 @@ class SearchPage : public OutputPage {
       table.setItem(row, column, studyCell(text, isText));
       return table.item(row, column);
     };
-    add(KindColumn, kind, true)->setToolTip(QString::fromStdString(failure.file));
+    add(KindColumn, kind, true)
+        ->setToolTip(kind + QLatin1Char('\n') + QString::fromStdString(failure.file));
     add(FoundIn, QString::fromStdString(failure.scenario), true);
     add(FailureSeed, QString::number(failure.seed), false);
     add(PeopleColumn,
@@ -169,8 +170,9 @@ class SearchPage : public OutputPage {
     styleStudyTable(*table, tr("Archive"));
     table->setSelectionBehavior(QAbstractItemView::SelectItems);
     table->setShowGrid(true);
-    table->verticalHeader()->show();
-    table->verticalHeader()->setDefaultSectionSize(editor::kListRowHeight);
+    styleArchiveHead(*table->verticalHeader());
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignCenter);
     QStringList columns, rows;
     for (int cell = Descriptor::kUndefinedCell; cell < across.cells; ++cell) {
       columns.append(cellTitle(across, cell));
@@ -192,6 +194,16 @@ class SearchPage : public OutputPage {
             .arg(outputMetricTitle(across.key), outputMetricTitle(up.key)));
   }
 
+  /// All rows are visible, as far as they fit.
+  static void styleArchiveHead(QHeaderView& head) {
+    head.show();
+    head.setMinimumSectionSize(kLeastArchiveRow);
+    head.setSectionResizeMode(QHeaderView::Stretch);
+    head.setFixedWidth(kArchiveTitles);
+    head.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    head.setTextElideMode(Qt::ElideNone);
+  }
+
   void fillArchive(QTableWidget& table) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const SearchOutput::Cell& cell : output_.cells) {
@@ -207,7 +219,7 @@ class SearchPage : public OutputPage {
       const bool isFailure = !cell.kind.empty();
       auto* item = new QTableWidgetItem(isFailure ? QStringLiteral("●") : QString());
       item->setTextAlignment(Qt::AlignCenter);
-      item->setBackground(place_.theme.color(editor::Role::Accent, 0.12 + 0.5 * share));
+      item->setData(kHeatRole, share);
       item->setData(Qt::UserRole, QString::fromStdString(cell.kind));
       const QString place = tr("%1, seed %2: %3")
                                 .arg(QString::fromStdString(cell.scenario))
@@ -227,6 +239,8 @@ class SearchPage : public OutputPage {
     }
   }
 
+  static constexpr int kLeastArchiveRow = 16;  // [px]
+  static constexpr int kArchiveTitles = 64;    // [px]
   const SearchOutput output_;
   const OutputPlace place_;
   std::vector<SearchOutput::Failure> rows_;  // the worst run first

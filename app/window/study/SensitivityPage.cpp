@@ -122,6 +122,10 @@ class SensitivityPage : public OutputPage {
         cases_->addItem(name, name);
       }
     }
+    for (QComboBox* choice : {metrics_, cases_}) {
+      choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+      choice->setCurrentIndex(0);
+    }
   }
 
   QLayout* makeChoices() {

@@ -13,10 +13,11 @@ namespace {
 constexpr int kHeadHeight = 40;
 constexpr int kLeastColumn = 48;
 constexpr int kMostColumn = 240;
-constexpr int kColumnMargin = 32;      // beside a title, including the sort arrow
-constexpr int kFirstInset = 8;         // before the first title
-constexpr double kCellPadding = 10.0;  // [px], as that of the text
-constexpr int kBarColumn = 220;        // least width of a column with bars [px]
+constexpr int kColumnMargin = 32;                      // beside a title, including the sort arrow
+constexpr int kFirstInset = 8;                         // before the first title
+constexpr double kCellPadding = 10.0;                  // [px], as that of the text
+constexpr int kBarColumn = 220;                        // least width of a column with bars [px]
+constexpr double kLeastHeat = 0.12, kHeatRange = 0.5;  // opacity
 enum IntervalPart { Low, Mean, High, ScaleLow, ScaleHigh, IntervalParts };
 enum BarPart { BarValue, BarLow, BarHigh, BarScale, BarDark, BarParts };
 
@@ -93,6 +94,11 @@ void IntervalDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
   const QVariantList interval = index.data(kIntervalRole).toList();
   const QVariantList bar = index.data(kBarRole).toList();
   QStyleOptionViewItem text = option;
+  if (index.data(kHeatRole).isValid()) {
+    QColor heat = option.palette.color(QPalette::Link);
+    heat.setAlphaF(kLeastHeat + kHeatRange * index.data(kHeatRole).toDouble());
+    painter->fillRect(option.rect, heat);
+  }
   if (interval.size() >= IntervalParts) {
     text.rect.setHeight(option.rect.height() - kBarRoom);
     text.displayAlignment = Qt::AlignRight | Qt::AlignBottom;

@@ -17,7 +17,11 @@ constexpr int kIntervalRole = Qt::UserRole + 1;
 /// interval as a line on it.
 constexpr int kBarRole = Qt::UserRole + 2;
 
-/// Draws cells with kIntervalRole or kBarRole.
+/// Item data of a cell of a heat map: a number from 0 to 1, drawn as the strength of the
+/// background.
+constexpr int kHeatRole = Qt::UserRole + 3;
+
+/// Draws cells with kIntervalRole, kBarRole or kHeatRole.
 class IntervalDelegate : public QStyledItemDelegate {
  public:
   static constexpr int kRowHeight = 40;  // [px]

@@ -28,6 +28,9 @@ struct PlotRange {
 };
 
 PlotRange rangeOfPoints(const PlottedPoints& shown, double PlottedPoint::*coordinate) {
+  if (shown.points.empty()) {
+    return {};
+  }
   PlotRange range{0.0, 0.0};
   bool isFirst = !shown.isFromZero;
   for (const PlottedPoint& point : shown.points) {
