@@ -116,6 +116,7 @@ void ScatterPlot::applyStyles() {
   }
   const auto title = [this](int axis, const QString& words) {
     QwtText text(words);
+    text.setRenderFlags(text.renderFlags() | Qt::TextWordWrap);  // low plots have short axes
     text.setFont(theme_.font(9.0));
     text.setColor(theme_.color(Role::Text));
     plot_->setAxisTitle(axis, text);
