@@ -160,7 +160,7 @@ class StudyOutputTest : public QObject, InFolder {
     writeText(path("yard.yaml"), kYard);
     writeText(path("study.yaml"),
               "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 1\nduration: 2.0\n"
-              "values:\n  robot1.max_vel: {range: [0.4, 0.8]}\n");
+              "values:\n  robot1.max_vel: {uniform: [0.4, 0.8]}\n");
     const Finished gate = runProgram(
         list("gate pursuit dwa --scenarios yard.yaml --seeds 2 --duration 2 -o g"), path("."));
     QVERIFY2(QFile::exists(path("g/gate.json")), qPrintable(gate.err));

@@ -361,6 +361,9 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(folder)});
     const QStringList before = panel().form().scenarios();
+    QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&panel().form(), &enter);
+    QVERIFY(enter.isAccepted());
     QDropEvent drop(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(&panel().form(), &drop);
     QTRY_VERIFY(panel().outputPage() != nullptr);
