@@ -16,7 +16,7 @@ const char* const kTreeTables =
 
 bool ResultStore::addTrees(const StoredRun& run) const {
   bool isStored = this->run(kTreeTables);
-  const auto execute = [this](const SqlStatement& statement) {
+  const auto execute = [](const SqlStatement& statement) {
     return statement.prepared != nullptr && sqlite3_step(statement.prepared) == SQLITE_DONE;
   };
   for (std::size_t place = 0; isStored && place < run.row.trees.size(); ++place) {
