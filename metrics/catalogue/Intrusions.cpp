@@ -282,16 +282,16 @@ personal_space_intrusion_gaussian|Intrusion into the Gaussian personal space|%|[
   2/3 Vf, Vx = Vf if x > 0, else Vf/2 (m^2, u in m/s)
 personal_space_intrusion_gaussian_min|Intrusion into the Gaussian personal space, smallest|%|[0, 100]|min over the samples with people of the same
 personal_space_intrusion_gaussian_max|Intrusion into the Gaussian personal space, largest|%|[0, 100]|max over the samples with people of the same
-personal_space_intrusion_gaussian_above|Time inside the Gaussian personal space|%|[0, 100]|share of the time with people at which the value of
-  personal_space_intrusion_gaussian at the sample is > 100 gaussian_threshold, 0 without people
+personal_space_intrusion_gaussian_above|Time inside the Gaussian personal space|%|[0, 100]|100 * time at which the value of
+  personal_space_intrusion_gaussian at the sample is > 100 gaussian_threshold / time of the samples with people, 0 without people
 = Social Behavior|lower|robot, people, groups|SRPB
 formation_space_intrusion|Intrusion into the space of groups|%|[0, 100]|time-weighted mean over the samples with groups of the largest over groups of
   100 exp(-(x^2/(2 X^2) + y^2/(2 Y^2))), 0 if there are none; x, y = p - m along and across the axis of the arrangement, X, Y = a quarter of the span
   along these (METRICS.md, Groups and crowds)
 formation_space_intrusion_max|Intrusion into the space of groups, largest|%|[0, 100]|max over the samples of the same, 0 without groups
 = Social Behavior|lower|robot, people, groups|Katyal et al. 2022; Okal and Arras 2016
-group_crossings|Group crossings||0, 1, ...|number of pairs of a sample i and a group that the robot crosses at i and did not at the last sample at which it had
-  enough members (group_minimum_members): it is inside the convex hull of its members (3 or more, the border included), or passed between two members a, b since
+group_crossings|Group crossings||0, 1, ...|number of pairs of a sample i and a group that the robot crosses at i and did not at the last sample before at which it had
+  enough members (group_minimum_members), if there is one: it is inside the convex hull of its members (3 or more, the border included), or passed between two members a, b since
   i-1: 0 <= (b - a)(p - a) <= |b - a|^2 at i, cross(b - a, p - a) > 0 holds at one of i-1 and i only, both were present at i-1 and have not jumped
 = Social Behavior|lower|robot, people|SRPB
 heading_direction_disturbance|Disturbance by the robot's heading|%|[0, 100]|time-weighted mean over the samples with people of the largest over a of

@@ -166,8 +166,8 @@ path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_cha
 angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / path_length; undefined if the latter is 0
 curvature_avg|Mean curvature|1/m|[0, inf)|mean over i of 4A/(d01 d12 d20), A = area of the triangle p_(i-1), p_i, p_(i+1) with these sides, where dt_i > 0, d01
   >= stop_linear_speed dt_(i-1) and d12 >= stop_linear_speed dt_i; 0 where a side is 0, and if there is no such i; undefined if N < 3
-curvature_max|Largest curvature|1/m|[0, inf)|max over the same i of the same
-roughness_avg|Mean roughness||[0, 0.87]|mean over the same i of 2A/max(d01, d12, d20)^2, 0 if there is no such i
+curvature_max|Largest curvature|1/m|[0, inf)|max over the same i of the same, 0 if there is no such i; undefined if N < 3
+roughness_avg|Mean roughness||[0, 0.87]|mean over the same i of 2A/max(d01, d12, d20)^2; 0 where all sides are 0, and if there is no such i; undefined if N < 3
 )";
 
 }  // namespace
