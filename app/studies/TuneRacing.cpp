@@ -62,7 +62,7 @@ std::size_t Tuner::reserve(std::size_t runs) const {
 }
 
 std::size_t Tuner::finalCount() const {
-  for (const std::size_t factor : {4, 2}) {
+  for (const std::size_t factor : {std::size_t{4}, std::size_t{2}}) {
     const std::size_t count = factor * searchRuns();
     if (static_cast<double>(reserve(count)) <= kFinalShare * static_cast<double>(options_.runs)) {
       return count;

@@ -288,13 +288,13 @@ RunRequest TuneSubject::request(const std::string& scenario, long long seed,
       (robot != robots_.end() ? robot->second : robot_) + ".planner_parameters.";
   if (!isNav2_) {
     for (const auto& [name, value] : fixed_) {
-      request.spec.set.push_back(prefix + name + "=" + value);
+      request.spec.set.push_back(base::join({prefix, name, "=", value}, ""));
     }
   }
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
     const TunedParameter& parameter = parameters_[k];
     if (!isNav2_) {
-      request.spec.set.push_back(prefix + parameter.name + "=" + values[k]);
+      request.spec.set.push_back(base::join({prefix, parameter.name, "=", values[k]}, ""));
     } else if (values[k] != parameter.present) {
       std::string& added = request.spec.nav2Params.emplace_back(parameter.node);
       added.append(":").append(parameter.name).append(":=").append(values[k]);
