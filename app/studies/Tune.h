@@ -26,7 +26,7 @@ struct TuneOptions {
   std::vector<TuneObjective> objectives;
   int seeds = 3;            // per scenario and generation of the search, from 10001 on
   int heldOutSeeds = 20;    // per scenario, in the evaluation, from 1001 on
-  std::size_t runs = 2000;  // limit of all runs before the evaluation
+  std::size_t runs = 3000;  // limit of all runs before the evaluation
   int maxChanges = 8;       // limit of changed parameters
   double maxLoss = 0.05;    // accepted loss of an objective, as a share
   int population = 0;       // of the CMA-ES; 0: 4 + 3 ln n

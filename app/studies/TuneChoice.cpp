@@ -46,15 +46,27 @@ std::vector<TunedValues> Tuner::finalists() const {
   return found;
 }
 
+std::size_t Tuner::changesOf(const TunedValues& values) const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    count += values[k] != present_[k] ? 1 : 0;
+  }
+  return count;
+}
+
 base::Diagnostics Tuner::chooseBest() {
   const std::vector<TunedValues> candidates = finalists();
   if (candidates.empty()) {
     return {};
   }
   show("best candidates");
-  finalRuns_ = newRuns(finalCount());
+  std::size_t changes = 0;
+  for (const TunedValues& values : candidates) {
+    changes = std::max(changes, changesOf(values));
+  }
+  finalRuns_ = newRuns(affordableCount(changes));
   const base::Result<std::vector<std::size_t>> order =
-      race(candidates, finalRungs(candidates.size()), finalRuns_);
+      race(candidates, finalRungs(candidates.size(), finalRuns_.size()), finalRuns_);
   if (!order) {
     return order.diagnostics();
   }

@@ -16,7 +16,7 @@ constexpr double kLeastDistance = 0.2;                  // from the present valu
 constexpr std::size_t kDistantValues = 2;
 constexpr std::size_t kCombined[] = {2, 3, 4, 6, 8};  // numbers of changes
 constexpr std::size_t kAlone = 3;                     // single changes in the same race
-constexpr std::size_t kMostVaried = 6;
+constexpr std::size_t kMostVaried = 8;
 constexpr double kMostEffect = 0.5;  // larger ones count the same
 
 /// How much a change does beyond one standard error. Losses count half: the parameter matters, but
@@ -183,7 +183,7 @@ base::Diagnostics Tuner::combine() {
       candidates.push_back(together);
     }
   }
-  std::vector<Rung> rungs = finalRungs(candidates.size());
+  std::vector<Rung> rungs = finalRungs(candidates.size(), finalCount());
   if (candidates.empty() || !canAfford(raceCost(rungs))) {
     varied_ = screened();
     return {};

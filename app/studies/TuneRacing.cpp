@@ -9,8 +9,9 @@ namespace {
 
 constexpr std::size_t kFewestRuns = 3;     // of the first rung
 constexpr std::size_t kMostFinalists = 6;  // TuneChoice.cpp
-constexpr std::size_t kSimplifications = 3;
-constexpr double kFinalShare = 0.4;  // of the runs, for the final comparisons
+constexpr std::size_t kMostSimplifications = 3;
+constexpr std::size_t kMostRepeats = 8;  // of the runs of a race of the search
+constexpr double kFinalShare = 0.4;      // of the runs, for the final comparisons
 
 std::size_t dividedUp(std::size_t count, std::size_t by) {
   return (count + by - 1) / by;
@@ -41,38 +42,50 @@ std::vector<Rung> Tuner::searchRungs(std::size_t candidates) const {
           {dividedUp(third, 2), seeds * scenarios}};
 }
 
-std::vector<Rung> Tuner::finalRungs(std::size_t candidates) const {
+std::vector<Rung> Tuner::finalRungs(std::size_t candidates, std::size_t runs) const {
   const std::size_t scenarios = options_.scenarios.size();
-  const std::size_t seeds = finalCount() / scenarios;
+  const std::size_t seeds = runs / scenarios;
   return {{candidates, dividedUp(seeds, 4) * scenarios},
           {std::max(std::min<std::size_t>(candidates, 3), dividedUp(candidates, 2)),
            dividedUp(seeds, 2) * scenarios},
-          {std::min<std::size_t>(candidates, 3), seeds * scenarios}};
+          {std::min<std::size_t>(candidates, 3), runs}};
 }
 
 std::size_t Tuner::raceCost(const std::vector<Rung>& rungs) const {
   return costOf(rungs) + rungs.back().runs + (base_ == present_ ? 0 : rungs.front().runs);
 }
 
-std::size_t Tuner::reserve(std::size_t runs) const {
-  const std::size_t changes =
-      std::min(subject_.parameters().size(), static_cast<std::size_t>(options_.maxChanges));
-  const std::size_t first = kMostFinalists * dividedUp(runs, 4);
-  return first + (4 + 2 + changes + kSimplifications) * runs;
+std::size_t Tuner::reserve(std::size_t runs, std::size_t changes) const {
+  return costOf(finalRungs(kMostFinalists, runs)) + (2 + changes + kMostSimplifications) * runs;
 }
 
 std::size_t Tuner::finalCount() const {
+  const std::size_t changes =
+      std::min(subject_.parameters().size(), static_cast<std::size_t>(options_.maxChanges));
   for (const std::size_t factor : {std::size_t{4}, std::size_t{2}}) {
     const std::size_t count = factor * searchRuns();
-    if (static_cast<double>(reserve(count)) <= kFinalShare * static_cast<double>(options_.runs)) {
+    if (static_cast<double>(reserve(count, changes)) <=
+        kFinalShare * static_cast<double>(options_.runs)) {
       return count;
     }
   }
   return searchRuns();
 }
 
+std::size_t Tuner::affordableCount(std::size_t changes) const {
+  const std::size_t scenarios = options_.scenarios.size();
+  std::size_t count = finalCount();
+  while (count < kMostRepeats * searchRuns() &&
+         result_.searchRuns + reserve(count + scenarios, changes) <= options_.runs) {
+    count += scenarios;
+  }
+  return count;
+}
+
 bool Tuner::canAfford(std::size_t runs) const {
-  return result_.searchRuns + runs + reserve(finalCount()) <= options_.runs;
+  const std::size_t changes =
+      std::min(subject_.parameters().size(), static_cast<std::size_t>(options_.maxChanges));
+  return result_.searchRuns + runs + reserve(finalCount(), changes) <= options_.runs;
 }
 
 base::Result<std::vector<std::size_t>> Tuner::race(const std::vector<TunedValues>& candidates,

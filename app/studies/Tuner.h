@@ -69,15 +69,17 @@ class Tuner {
   /// the better sixth on all.
   std::vector<Rung> searchRungs(std::size_t candidates) const;
   /// The first rung has a quarter of the runs, the last one three candidates and all runs.
-  std::vector<Rung> finalRungs(std::size_t candidates) const;
+  std::vector<Rung> finalRungs(std::size_t candidates, std::size_t runs) const;
   /// Runs of a race of candidates, the base and the values before included.
   std::size_t raceCost(const std::vector<Rung>& rungs) const;
   /// Whether these runs leave enough for the final comparisons.
   bool canAfford(std::size_t runs) const;
-  /// Runs of the final comparisons at most, with this many runs of each finalist.
-  std::size_t reserve(std::size_t runs) const;
-  /// Runs of a finalist.
+  /// Runs of the final comparisons at most, with this many runs of the best finalists and at most
+  /// this many changed parameters.
+  std::size_t reserve(std::size_t runs, std::size_t changes) const;
+  /// Runs of a finalist that are planned, and those that are left for it after the search.
   std::size_t finalCount() const;
+  std::size_t affordableCount(std::size_t changes) const;
   /// Runs the candidates and the base on the first of these runs, the better ones on more of them
   /// (successive halving), and the values before on those of the first rung. Indices of the
   /// candidates, the best first.
@@ -114,6 +116,7 @@ class Tuner {
   /// The base, the last means of the distribution, which average over many noisy scores, and the
   /// complete candidates with the best scores.
   std::vector<TunedValues> finalists() const;
+  std::size_t changesOf(const TunedValues& values) const;  // parameters that differ from before
   base::Diagnostics chooseBest();
   void choose(const TunedValues& values);
   /// Each change alone taken back.
