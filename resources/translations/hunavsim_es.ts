@@ -7584,6 +7584,14 @@ El valor mínimo es el alto que el mapa necesita</translation>
         <translation>Un fallo de cada tipo, con el mínimo de personas y cambios que aún falla del mismo modo. Doble clic o Intro lo reproducen; su escenario está en la carpeta failures.</translation>
     </message>
     <message>
+        <source>Worst run</source>
+        <translation>Peor ejecución</translation>
+    </message>
+    <message>
+        <source>The run with the worst value of the metric. Double-click or Enter plays it.</source>
+        <translation>La ejecución con el peor valor de la métrica. Doble clic o Intro la reproducen.</translation>
+    </message>
+    <message>
         <source>Worst run: %1 = %2</source>
         <translation>Peor ejecución: %1 = %2</translation>
     </message>

@@ -7584,6 +7584,14 @@ The lowest value is the height that the map requires</source>
         <translation>每种类型一个失败，保留仍以同样方式失败的最少人数和更改。双击或 Enter 播放；其场景位于文件夹 failures 中。</translation>
     </message>
     <message>
+        <source>Worst run</source>
+        <translation>最差运行</translation>
+    </message>
+    <message>
+        <source>The run with the worst value of the metric. Double-click or Enter plays it.</source>
+        <translation>指标值最差的运行。双击或 Enter 播放。</translation>
+    </message>
+    <message>
         <source>Worst run: %1 = %2</source>
         <translation>最差运行：%1 = %2</translation>
     </message>

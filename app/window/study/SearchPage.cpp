@@ -78,6 +78,11 @@ QString cellTitle(const Descriptor& descriptor, int cell) {
       report::numberText(descriptor.low + width * cell, width < 0.995 ? 2 : 1));
 }
 
+QString worstText(const SearchOutput& output) {
+  return QCoreApplication::translate("app::SearchPage", "Worst run: %1 = %2")
+      .arg(outputMetricTitle(output.worstMetric), outputNumber(output.worstValue));
+}
+
 /// Failures that differ in kind, the worst run, and the archive of a search.
 class SearchPage : public OutputPage {
   Q_DECLARE_TR_FUNCTIONS(app::SearchPage)
@@ -88,16 +93,18 @@ class SearchPage : public OutputPage {
       rows_.push_back(*output_.worst);
     }
     rows_.insert(rows_.end(), output_.failures.begin(), output_.failures.end());
-    addPage(tr("Failures"),
-            rows_.empty() ? static_cast<QWidget*>(editor::emptyState(tr("No run failed."), this))
-                          : makeFailures());
+    addPage(title(), rows_.empty()
+                         ? static_cast<QWidget*>(editor::emptyState(tr("No run failed."), this))
+                         : makeFailures());
     addPage(tr("Archive"), makeArchive());
   }
 
  private:
+  QString title() const { return output_.worst ? tr("Worst run") : tr("Failures"); }
+
   QWidget* makeFailures() {
     auto* table = new QTableWidget;
-    styleStudyTable(*table, tr("Failures"));
+    styleStudyTable(*table, title());
     table->verticalHeader()->setDefaultSectionSize(editor::kListRowHeight);
     setStudyColumns(*table,
                     {tr("Kind"), tr("Found in"), tr("Seed"), tr("People"), tr("Ended"),
@@ -112,17 +119,17 @@ class SearchPage : public OutputPage {
     connect(table, &QTableWidget::itemActivated, this,
             [this](const QTableWidgetItem* item) { play(item->row()); });
     return pageWithNote(
-        table, tr("One failure of each kind, with the fewest people and changes that still fail in "
-                  "the same way. Double-click or Enter plays it; its scenario is in the folder "
-                  "failures."));
+        table,
+        output_.worst
+            ? tr("The run with the worst value of the metric. Double-click or Enter plays it.")
+            : tr("One failure of each kind, with the fewest people and changes that still "
+                 "fail in the same way. Double-click or Enter plays it; its scenario is in "
+                 "the folder failures."));
   }
 
   void fillFailure(QTableWidget& table, int row, const SearchOutput::Failure& failure,
                    bool isWorst) {
-    const QString kind =
-        isWorst ? tr("Worst run: %1 = %2")
-                      .arg(outputMetricTitle(output_.worstMetric), outputNumber(output_.worstValue))
-                : kindText(failure.kind);
+    const QString kind = isWorst ? worstText(output_) : kindText(failure.kind);
     const auto add = [&table, row](int column, const QString& text, bool isText) {
       table.setItem(row, column, studyCell(text, isText));
       return table.item(row, column);
@@ -253,10 +260,12 @@ OutputPage* makeSearchPage(const report::SearchOutput& output, const OutputPlace
 }
 
 QString searchHeadline(const report::SearchOutput& output) {
-  QStringList parts = {editor::counted(output.runs, OutputPage::tr("run"), OutputPage::tr("runs")) +
-                       QStringLiteral(", ") +
-                       editor::counted(output.failures.size(), OutputPage::tr("kind of failure"),
-                                       OutputPage::tr("kinds of failures"))};
+  const QString runs = editor::counted(output.runs, OutputPage::tr("run"), OutputPage::tr("runs"));
+  QStringList parts = {output.worst ? runs + QStringLiteral(". ") + worstText(output)
+                                    : runs + QStringLiteral(", ") +
+                                          editor::counted(output.failures.size(),
+                                                          OutputPage::tr("kind of failure"),
+                                                          OutputPage::tr("kinds of failures"))};
   if (output.unavoidable > 0) {
     parts.append(OutputPage::tr("Contacts that the robot could not have avoided since first sight "
                                 "do not count: %1")
