@@ -172,7 +172,7 @@ class MapScene : public QGraphicsScene {
     Pose2 pose;
   };
   const std::optional<Placement>& placement() const { return placement_; }
-  void setPlacement(std::optional<Placement> placement) {
+  void setPlacement(const std::optional<Placement>& placement) {
     placement_ = isPlaceable_ ? placement : std::nullopt;
     update();
   }

@@ -78,7 +78,7 @@ QString whyNotDuplicated(const bt::TreeFile& file, const std::vector<NodeLocatio
     ++added[{place.tree, place.parent().path}];
   }
   for (const auto& [parent, count] : added) {
-    const QString why = whyNotAdded(file, {parent.first, parent.second}, count);
+    QString why = whyNotAdded(file, {parent.first, parent.second}, count);
     if (!why.isEmpty()) {
       return why;
     }
