@@ -9,8 +9,9 @@ namespace app {
 
 namespace {
 
-constexpr int kMostRounds = 3;                          // of the same kind
-constexpr double kLargeGain = 0.1;                      // of the score: other values may matter now
+constexpr int kMostRounds = 3;      // of the same kind
+constexpr double kLargeGain = 0.1;  // of the score: other values may matter now
+constexpr double kCertain = 3.0;    // standard errors: the best of many candidates is often luck
 constexpr double kDistantShares[] = {0.15, 0.85, 0.5};  // of the range of a parameter
 constexpr double kLeastDistance = 0.2;                  // from the present value and the default
 constexpr std::size_t kDistantValues = 2;
@@ -131,7 +132,7 @@ base::Diagnostics Tuner::probeAll(const std::vector<TunedValues>& candidates, do
   const TunedValues& best = candidates[order->front()];
   const TuneScore score = searchScore(best, runs);
   const double improvement = 1.0 - score.total;
-  if (improvement >= kLargeGain && improvement > 2.0 * score.error) {
+  if (improvement >= kLargeGain && improvement > kCertain * score.error) {
     gain = improvement;
     probes_.clear();  // they belong to the base so far
     setBase(best);
