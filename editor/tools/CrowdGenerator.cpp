@@ -268,7 +268,8 @@ Crowd fillCrowd(const std::vector<Vec2>& polygon, std::size_t count, const Crowd
   Crowd crowd;
   sim2d::Scenario scenario;  // All that a person of the crowd depends on.
   scenario.goals = document.scenario().goals;
-  static_cast<sim2d::ScenarioSettings&>(scenario) = document.scenario();
+  static_cast<sim2d::ScenarioSettings&>(scenario) =
+      static_cast<const sim2d::ScenarioSettings&>(document.scenario());
   if (recipe.walks && scenario.goals.empty()) {
     crowd.goals = newGoals(polygon, recipe, ground);
     scenario.goals = crowd.goals;

@@ -92,7 +92,7 @@ class GoalTool : public Tool {
   Vec2 placeOf(CanvasMouse mouse) const {
     const bool isDragged = !pressed_ || isDrag(from_, mouse);
     mouse.world += grip_;
-    const Vec2 onGrid = snapToGrid(mouse);
+    Vec2 onGrid = snapToGrid(mouse);
     if (!isDragged) {
       return onGrid;
     }

@@ -30,34 +30,11 @@ class SelectTool : public Tool {
 
   QString statusText() const override {
     if (scene().isRunMode()) {
-      return scene().pull()        ? tr("The robot follows until you release the button")
-             : scene().placement() ? tr("Release to branch with the person here")
-             : scene().armedPush() ? tr("Drag an arrow: a longer arrow pushes harder · Esc cancels")
-             : scene().isPlaceable() ? tr("Click a person for details · Drag a person to branch "
-                                          "with another position · "
-                                          "Space resumes")
-             : scene().isPullable()
-                 ? tr("Click a person for details · Shift+drag to push · Drag a robot to lead it · "
-                      "Space pauses")
-                 : tr("Click a person for details · Space pauses");
+      return runText();
     }
-    if (document().selection().empty()) {
-      return tr("Click to select · Drag over empty space to select several");
-    }
-    const std::optional<Entity> value = document().entity(document().selection().front());
-    const bool isOnly = document().selection().size() == 1 && value;
-    QStringList parts{tr("Drag to move")};
-    if (isOnly && hasHandle(*value, Handle::Kind::Turn)) {
-      parts << tr("Drag the round handle to turn");
-    } else if (isOnly && hasHandle(*value, Handle::Kind::Size)) {
-      parts << tr("Drag a corner to resize");
-    }
-    if (isOnly && cornersOf(*value) != nullptr) {
-      parts << tr("Double-click an edge to add a corner");
-    } else {
-      parts << tr("Ctrl+D duplicates") << tr("Del removes");
-    }
-    return parts.join(QString::fromUtf8(" · "));
+    return document().selection().empty()
+               ? tr("Click to select · Drag over empty space to select several")
+               : selectionText();
   }
 
   QCursor cursor() const override { return cursor_; }
@@ -227,6 +204,43 @@ class SelectTool : public Tool {
   }
 
  private:
+  QString runText() const {
+    if (scene().pull()) {
+      return tr("The robot follows until you release the button");
+    }
+    if (scene().placement()) {
+      return tr("Release to branch with the person here");
+    }
+    if (scene().armedPush()) {
+      return tr("Drag an arrow: a longer arrow pushes harder · Esc cancels");
+    }
+    if (scene().isPlaceable()) {
+      return tr(
+          "Click a person for details · Drag a person to branch with another position · "
+          "Space resumes");
+    }
+    return scene().isPullable() ? tr("Click a person for details · Shift+drag to push · Drag a "
+                                     "robot to lead it · Space pauses")
+                                : tr("Click a person for details · Space pauses");
+  }
+
+  QString selectionText() const {
+    const std::optional<Entity> value = document().entity(document().selection().front());
+    const bool isOnly = document().selection().size() == 1 && value;
+    QStringList parts{tr("Drag to move")};
+    if (isOnly && hasHandle(*value, Handle::Kind::Turn)) {
+      parts << tr("Drag the round handle to turn");
+    } else if (isOnly && hasHandle(*value, Handle::Kind::Size)) {
+      parts << tr("Drag a corner to resize");
+    }
+    if (isOnly && cornersOf(*value) != nullptr) {
+      parts << tr("Double-click an edge to add a corner");
+    } else {
+      parts << tr("Ctrl+D duplicates") << tr("Del removes");
+    }
+    return parts.join(QString::fromUtf8(" · "));
+  }
+
   enum class Gesture { None, Pressed, Moving, Handle, Band };
   /// Selects an agent of a run. A spawned agent is not in the document, so the document selection
   /// is then empty.

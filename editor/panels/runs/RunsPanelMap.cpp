@@ -78,6 +78,7 @@ void RunsPanel::showSideBySide() {
   }
   if (isWanted) {
     std::vector<SideBySide::Run> runs;
+    runs.reserve(others.size());
     for (const Row& row : others) {
       runs.push_back({titleOf(row), row.recording, row.branch >= 0});
     }
