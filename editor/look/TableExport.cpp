@@ -181,7 +181,7 @@ void saveTable(QAbstractItemView& view, const QString& name) {
 
 QString folderFor(const QWidget& widget) {
   for (const QWidget* each = &widget; each != nullptr; each = each->parentWidget()) {
-    const QString folder = each->property(kFolderProperty).toString();
+    QString folder = each->property(kFolderProperty).toString();
     if (!folder.isEmpty()) {
       return folder;
     }

@@ -224,7 +224,8 @@ void IssuesPanel::setRecorded(bool recorded) {
   }
 }
 
-void IssuesPanel::rebuild() {
+/// The issues of the document and of the last action, the most severe first.
+base::Diagnostics IssuesPanel::currentIssues() {
   base::Diagnostics all = isRecorded_ ? base::Diagnostics() : document_.issues();
   if (document_.path().isEmpty()) {  // A new scenario begins without people: that is no problem.
     all.erase(std::remove_if(all.begin(), all.end(),
@@ -241,15 +242,24 @@ void IssuesPanel::rebuild() {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });
-  issues_ = withoutRepeatedIssues(all);
+  return withoutRepeatedIssues(all);
+}
+
+QString IssuesPanel::noIssuesText() const {
+  if (isRecorded_) {
+    return tr("No issues. A recorded run is shown.");
+  }
   const sim2d::Scenario& scenario = document_.scenario();
-  noIssuesLabel_->setText(
-      isRecorded_ ? tr("No issues. A recorded run is shown.")
-      : scenario.humans.empty()
-          ? tr("No issues. Press P and click on the map to place a person.")
-          : tr("No issues: %1, %2.")
-                .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
-                     counted(scenario.goals.size(), tr("goal"), tr("goals"))));
+  return scenario.humans.empty()
+             ? tr("No issues. Press P and click on the map to place a person.")
+             : tr("No issues: %1, %2.")
+                   .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
+                        counted(scenario.goals.size(), tr("goal"), tr("goals")));
+}
+
+void IssuesPanel::rebuild() {
+  issues_ = currentIssues();
+  noIssuesLabel_->setText(noIssuesText());
   fixes_.clear();
   table_->clearSpans();
   table_->setRowCount(0);  // Clears the selection.

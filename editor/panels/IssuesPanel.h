@@ -43,6 +43,8 @@ class IssuesPanel : public QWidget {
  private:
   void makeTable();
   void rebuild();
+  base::Diagnostics currentIssues();
+  QString noIssuesText() const;
   void fillRow(int row, const base::Diagnostic& issue, const QString& fix);
   const base::Diagnostic* issueAt(int row) const;  // Null: the row that collapses hints.
   QString fixAt(int row) const;
