@@ -1,5 +1,6 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
+#include "editor/tools/SelectToolTexts.h"
 #include "editor/tools/SelectionActions.h"
 #include "editor/tools/ToolRegistry.h"
 
@@ -15,12 +16,6 @@ bool isAdding(const CanvasMouse& mouse) {
   return (mouse.modifiers & kAddModifiers) != 0;
 }
 
-bool hasHandle(const Entity& entity, Handle::Kind kind) {
-  const std::vector<Handle> handles = handlesOf(entity, {});
-  return std::any_of(handles.begin(), handles.end(),
-                     [kind](const Handle& handle) { return handle.kind == kind; });
-}
-
 /// A click selects, a drag moves, handles rotate and resize, a drag from free ground selects the
 /// enclosed entities, arrow keys nudge. During a run it selects, and a drag pulls a robot.
 class SelectTool : public Tool {
@@ -30,11 +25,11 @@ class SelectTool : public Tool {
 
   QString statusText() const override {
     if (scene().isRunMode()) {
-      return runText();
+      return SelectToolTexts::ofRun(scene());
     }
     return document().selection().empty()
                ? tr("Click to select · Drag over empty space to select several")
-               : selectionText();
+               : SelectToolTexts::ofSelection(document());
   }
 
   QCursor cursor() const override { return cursor_; }
@@ -204,43 +199,6 @@ class SelectTool : public Tool {
   }
 
  private:
-  QString runText() const {
-    if (scene().pull()) {
-      return tr("The robot follows until you release the button");
-    }
-    if (scene().placement()) {
-      return tr("Release to branch with the person here");
-    }
-    if (scene().armedPush()) {
-      return tr("Drag an arrow: a longer arrow pushes harder · Esc cancels");
-    }
-    if (scene().isPlaceable()) {
-      return tr(
-          "Click a person for details · Drag a person to branch with another position · "
-          "Space resumes");
-    }
-    return scene().isPullable() ? tr("Click a person for details · Shift+drag to push · Drag a "
-                                     "robot to lead it · Space pauses")
-                                : tr("Click a person for details · Space pauses");
-  }
-
-  QString selectionText() const {
-    const std::optional<Entity> value = document().entity(document().selection().front());
-    const bool isOnly = document().selection().size() == 1 && value;
-    QStringList parts{tr("Drag to move")};
-    if (isOnly && hasHandle(*value, Handle::Kind::Turn)) {
-      parts << tr("Drag the round handle to turn");
-    } else if (isOnly && hasHandle(*value, Handle::Kind::Size)) {
-      parts << tr("Drag a corner to resize");
-    }
-    if (isOnly && cornersOf(*value) != nullptr) {
-      parts << tr("Double-click an edge to add a corner");
-    } else {
-      parts << tr("Ctrl+D duplicates") << tr("Del removes");
-    }
-    return parts.join(QString::fromUtf8(" · "));
-  }
-
   enum class Gesture { None, Pressed, Moving, Handle, Band };
   /// Selects an agent of a run. A spawned agent is not in the document, so the document selection
   /// is then empty.
