@@ -51,6 +51,12 @@ std::string tuneHeadline(const app::TuneOptions& options, const app::TuneResult&
     case TuneVerdict::NoCandidate:
       break;
   }
+  if (result.candidates.size() <= 1) {
+    return "NOTHING TRIED: a limit of " + counted(options.runs, "run") + " is too small for " +
+           counted(options.scenarios.size(), "scenario") + " with " +
+           counted(static_cast<std::size_t>(options.seeds), "seed") +
+           " each: raise --runs, or take fewer scenarios, --seeds or --max-changes";
+  }
   return "NO IMPROVEMENT FOUND: none of " + std::to_string(result.candidates.size() - 1) +
          " candidates was better than the present values";
 }

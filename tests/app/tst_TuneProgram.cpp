@@ -114,6 +114,17 @@ class TuneProgramTest : public QObject, InFolder {
     QVERIFY(!tuneJson(path("none/out/tune.json"))[text("improved")].toBool(true));
   }
 
+  void limitTooSmall_isReported() {
+    const QByteArray file = bytesOf(text(SOURCE_DIR "/maps/planners/nav2_rpp.yaml"));
+    const Finished untried =
+        tune(text("untried"), file,
+             "--parameters few.yaml --seeds 1 --runs 5 --held-out-seeds 2 -o out", kPlane);
+    QVERIFY2(untried.exitCode == 0, qPrintable(untried.err));
+    QVERIFY2(untried.out.contains(text("NOTHING TRIED: a limit of 5 runs is too small for 1 "
+                                       "scenario with 1 seed each")),
+             qPrintable(untried.out));
+  }
+
   void wrongInput_isReported() {
     const QByteArray file = bytesOf(text(SOURCE_DIR "/maps/planners/nav2_rpp.yaml"));
     QCOMPARE(unexpected(tune(text("bad"), file, "--objective time_to_reach_gaol -o out"), 64,
