@@ -313,7 +313,7 @@ struct Rule {
   LabelValue value = nullptr;
 };
 
-std::vector<Rule> rules() {
+std::vector<Rule> personAndGoalRules() {
   return {
       {{"places.moved", "places.no-place"},
        QT_TRANSLATE_NOOP("QObject", "Move out of the wall"),
@@ -350,6 +350,13 @@ std::vector<Rule> rules() {
        edit<sim2d::Human>(
            [](sim2d::Human& human) { human.ours.wait.resize(human.goals.size(), 0.0); })},
       {{"person.no-goals"}, QT_TRANSLATE_NOOP("QObject", "Assign goals…"), {}},
+  };
+}
+
+/// In the order in which they are tried.
+std::vector<Rule> rules() {
+  std::vector<Rule> all = personAndGoalRules();
+  std::vector<Rule> others = {
       {{"scenario.unknown-word"},
        QT_TRANSLATE_NOOP("QObject", "Use '%1'"),
        useSuggestedValue,
@@ -385,6 +392,8 @@ std::vector<Rule> rules() {
        QT_TRANSLATE_NOOP("QObject", "Use the body in the Nav2 file"),
        copyNav2Footprint},
   };
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 }  // namespace

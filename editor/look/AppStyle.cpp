@@ -42,6 +42,7 @@ void applyTheme(const Theme& theme) {
     style->setTheme(theme);
   } else {
     QApplication::setStyle(new AppStyle(theme));
+    // The application owns its style: NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
     qApp->installEventFilter(new WrappedToolTips(qApp));
   }
   // The application owns its style: NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
@@ -267,6 +268,43 @@ void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
   }
 }
 
+/// Draws the label of a heading aligned with the cells below. False: it is not drawn, since it has
+/// its usual place.
+bool AppStyle::drawHeading(QPainter& painter, const QStyleOption& option,
+                           const QWidget* widget) const {
+  const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(&option);
+  if (header == nullptr) {
+    return false;
+  }
+  const bool isFirst = header->section == 0;
+  const bool isAfterNumbers = followsNumbers(*header, widget);
+  const bool isLast = endsTreeRow(*header, widget);
+  if (!isFirst && !isAfterNumbers && !isLast) {
+    return false;
+  }
+  QStyleOptionHeader label = *header;
+  const int inset = isAfterNumbers ? kColumnGap : isFirst ? kTableInset : 0;
+  label.rect.adjust(inset, 0, isLast ? -kTableInset : 0, 0);
+  if ((int(header->textAlignment) & Qt::TextWordWrap) == 0) {
+    label.text =
+        label.fontMetrics.elidedText(label.text, Qt::ElideMiddle, label.rect.width() - kHeadingGap);
+  }
+  QProxyStyle::drawControl(CE_HeaderLabel, &label, &painter, widget);
+  return true;
+}
+
+/// Draws the title of a menu in the menu bar.
+void AppStyle::drawMenuTitle(QPainter& painter, const QStyleOptionMenuItem& item) const {
+  painter.fillRect(item.rect, theme_.color(Role::Window));
+  if (item.state.testFlag(State_Selected)) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    setPenAndBrush(painter, Qt::NoPen, theme_.color(Role::RowSelected));
+    painter.drawRoundedRect(QRectF(item.rect).adjusted(1, 2, -1, -2), 4, 4);
+  }
+  drawItemText(&painter, item.rect, Qt::AlignCenter | Qt::TextHideMnemonic | Qt::TextSingleLine,
+               item.palette, item.state.testFlag(State_Enabled), item.text, QPalette::WindowText);
+}
+
 void AppStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                            const QWidget* widget) const {
   painter->save();
@@ -290,25 +328,9 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
       painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1),
                         theme_.color(Role::Line));
       break;
-    case CE_HeaderLabel: {
-      const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);
-      const bool isAfterNumbers = header != nullptr && followsNumbers(*header, widget);
-      const bool isLast = header != nullptr && endsTreeRow(*header, widget);
-      drawn = header != nullptr && (header->section == 0 || isAfterNumbers || isLast);
-      if (drawn) {  // Aligned with the cells below.
-        QStyleOptionHeader label = *header;
-        label.rect.adjust(isAfterNumbers         ? kColumnGap
-                          : header->section == 0 ? kTableInset
-                                                 : 0,
-                          0, isLast ? -kTableInset : 0, 0);
-        if ((int(header->textAlignment) & Qt::TextWordWrap) == 0) {
-          label.text = label.fontMetrics.elidedText(label.text, Qt::ElideMiddle,
-                                                    label.rect.width() - kHeadingGap);
-        }
-        QProxyStyle::drawControl(element, &label, painter, widget);
-      }
+    case CE_HeaderLabel:
+      drawn = drawHeading(*painter, *option, widget);
       break;
-    }
     case CE_ProgressBarGroove:
     case CE_ProgressBarContents:
       if (const auto* bar = qstyleoption_cast<const QStyleOptionProgressBar*>(option)) {
@@ -320,15 +342,7 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
       break;
     case CE_MenuBarItem:
       if (const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option)) {
-        painter->fillRect(option->rect, theme_.color(Role::Window));
-        if (option->state.testFlag(State_Selected)) {
-          painter->setRenderHint(QPainter::Antialiasing);
-          setPenAndBrush(*painter, Qt::NoPen, theme_.color(Role::RowSelected));
-          painter->drawRoundedRect(QRectF(option->rect).adjusted(1, 2, -1, -2), 4, 4);
-        }
-        drawItemText(painter, option->rect,
-                     Qt::AlignCenter | Qt::TextHideMnemonic | Qt::TextSingleLine, item->palette,
-                     option->state.testFlag(State_Enabled), item->text, QPalette::WindowText);
+        drawMenuTitle(*painter, *item);
       }
       break;
     default:

@@ -44,6 +44,8 @@ class AppStyle : public QProxyStyle {
   void drawIndicator(QPainter& painter, const QStyleOption& option, bool isRadio) const;
   void drawButton(QPainter& painter, const QStyleOption& option) const;
   void drawTab(QPainter& painter, const QStyleOption& option) const;
+  bool drawHeading(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
+  void drawMenuTitle(QPainter& painter, const QStyleOptionMenuItem& item) const;
   void drawRow(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
   bool drawSimple(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
                   const QWidget* widget) const;

@@ -308,6 +308,18 @@ QPixmap AppStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
   return mode == QIcon::Selected ? pixmap : QProxyStyle::generatedIconPixmap(mode, pixmap, option);
 }
 
+namespace {
+
+/// Inset of the first column of a list or table.
+int firstColumnInset(const QWidget* widget) {
+  if (qobject_cast<const QTableView*>(widget) != nullptr) {
+    return kTableInset;
+  }
+  return qobject_cast<const QListView*>(widget) != nullptr ? kListInset : 0;
+}
+
+}  // namespace
+
 QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option,
                                const QWidget* widget) const {
   QRect rect = QProxyStyle::subElementRect(element, option, widget);
@@ -328,9 +340,7 @@ QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option,
     case SE_ItemViewItemDecoration:
       if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
           item != nullptr && item->index.column() == 0) {
-        const int inset = qobject_cast<const QTableView*>(widget) != nullptr  ? kTableInset
-                          : qobject_cast<const QListView*>(widget) != nullptr ? kListInset
-                                                                              : 0;
+        const int inset = firstColumnInset(widget);
         return element == SE_ItemViewItemText ? rect.adjusted(inset, 0, 0, 0)
                                               : rect.translated(inset, 0);
       }

@@ -49,6 +49,9 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
   setAccelerated(true);
   setFocusPolicy(Qt::StrongFocus);
   setToolTip(rangeText());
+  fit_.setSingleShot(true);
+  fit_.setInterval(0);
+  connect(&fit_, &QTimer::timeout, this, [this] { fitText(); });
   connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
     if (!showing_) {
       take(value);
@@ -143,15 +146,7 @@ bool NumberField::fits(const QString& text) const {
 
 /// After the layout, which may still be that of another form.
 void NumberField::fitSoon() {
-  if (!std::exchange(isFitPending_, true)) {
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-          isFitPending_ = false;
-          fitText();
-        },
-        Qt::QueuedConnection);
-  }
+  fit_.start();
 }
 
 /// Leaves out the unit first, then decimals. Text that is being typed stays as it is.

@@ -71,7 +71,7 @@ class NumberField : public QDoubleSpinBox {
   bool showing_ = false;
   int mostDecimals_;          // Of which there is room.
   bool isShortened_ = false;  // The text has less than the whole number.
-  bool isFitPending_ = false;
+  QTimer fit_;                // Fits the text once after several changes.
 };
 
 /// A slider beside a NumberField; both show the same number.

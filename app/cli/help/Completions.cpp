@@ -143,7 +143,9 @@ std::string zshOption(const OptionInfo& option) {
   }
   const std::string others = option.isRepeatable ? "*" : "(" + base::join(option.names, " ") + ")";
   for (const std::string& name : option.names) {
-    text += "      " + quoted(others + name + "[" + zshField(option.help) + "]" + value) + " \\\n";
+    const std::string argument =
+        base::join({others, name, "[", zshField(option.help), "]", value}, "");
+    text.append("      ").append(quoted(argument)).append(" \\\n");
   }
   return text;
 }
