@@ -67,6 +67,25 @@ QString changedValues(const TuneOutput& output, const TuneOutput::Candidate& can
   return changes.isEmpty() ? OutputPage::tr("none (before)") : changes.join(QStringLiteral(", "));
 }
 
+/// The end of the scale that a metric has in all rows. `differenceOf`: the difference of a row.
+template <typename Rows, typename DifferenceOf>
+double commonReach(const Rows& rows, const DifferenceOf& differenceOf) {
+  double reach = kLeastReach;
+  for (const auto& row : rows) {
+    const TuneDifference& of = differenceOf(row);
+    reach = reachOf(of.difference, of.interval, reach);
+  }
+  return reach;
+}
+
+/// The same for an objective of evaluations or effects.
+template <typename Rows>
+double objectiveReach(const Rows& rows, std::size_t objective) {
+  return commonReach(rows, [objective](const auto& row) -> const TuneDifference& {
+    return row.objectives[objective];
+  });
+}
+
 /// Colours the lines of a unified diff.
 class DiffColors : public QSyntaxHighlighter {
  public:
@@ -130,10 +149,13 @@ class TunePage : public OutputPage {
 
   void addEvaluation(QTableWidget& table, const TuneOutput::Evaluation& of) {
     const QString scenario = of.scenario.empty() ? tr("All") : scenarioTitle(of.scenario);
-    addDifference(table, scenario, tr("Success"), of.success, true, successReach());
+    const double successReach = commonReach(
+        output_.evaluations,
+        [](const TuneOutput::Evaluation& each) -> const TuneDifference& { return each.success; });
+    addDifference(table, scenario, tr("Success"), of.success, true, successReach);
     for (std::size_t k = 0; k < output_.objectives.size(); ++k) {
       addDifference(table, scenario, outputMetricTitle(output_.objectives[k]), of.objectives[k],
-                    false, objectiveReach(k));
+                    false, objectiveReach(output_.evaluations, k));
     }
     table.item(table.rowCount() - 1, 0)->setToolTip(QString::fromStdString(of.scenario));
   }
@@ -157,31 +179,6 @@ class TunePage : public OutputPage {
         row, 5,
         studyCell(isRate ? QString() : QString::fromStdString(report::relativeText(of)), false));
     table.setItem(row, 6, studyCell(QString::number(of.pairs), false));
-  }
-
-  /// The scale of a metric is the same for all scenarios.
-  double successReach() const {
-    double reach = kLeastReach;
-    for (const TuneOutput::Evaluation& each : output_.evaluations) {
-      reach = reachOf(each.success.difference, each.success.interval, reach);
-    }
-    return reach;
-  }
-  double objectiveReach(std::size_t objective) const {
-    double reach = kLeastReach;
-    for (const TuneOutput::Evaluation& each : output_.evaluations) {
-      const TuneDifference& of = each.objectives[objective];
-      reach = reachOf(of.difference, of.interval, reach);
-    }
-    return reach;
-  }
-  double effectReach(std::size_t objective) const {
-    double reach = kLeastReach;
-    for (const TuneOutput::Effect& each : output_.effects) {
-      const TuneDifference& of = each.objectives[objective];
-      reach = reachOf(of.difference, of.interval, reach);
-    }
-    return reach;
   }
 
   QWidget* makeParameters() {
@@ -235,9 +232,10 @@ class TunePage : public OutputPage {
     for (std::size_t k = 0; k < output_.objectives.size(); ++k) {
       table.setItem(
           row, 6 + static_cast<int>(k),
-          isTried ? differenceCell(effect->objectives[k].difference, effect->objectives[k].interval,
-                                   effectReach(k), tunedUnit(output_.objectives[k]))
-                  : studyCell(tr("–"), false));
+          isTried
+              ? differenceCell(effect->objectives[k].difference, effect->objectives[k].interval,
+                               objectiveReach(output_.effects, k), tunedUnit(output_.objectives[k]))
+              : studyCell(tr("–"), false));
     }
   }
 
