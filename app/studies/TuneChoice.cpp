@@ -7,9 +7,8 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t kBestScores = 2, kMeans = 3;  // candidates of the final comparison
-constexpr int kMeanDistance = 2;                    // generations between these means
-constexpr double kNoEffect = 0.005;                 // of the score
+constexpr int kMeanDistance = 2;     // generations between the means of the final comparison
+constexpr double kNoEffect = 0.005;  // of the score
 
 /// Whether a loss is so small that it does not matter, or cannot be told from chance.
 bool isNegligible(const TuneScore& score) {
@@ -27,7 +26,7 @@ std::vector<TunedValues> Tuner::finalists() const {
   };
   add(base_);
   const auto last = static_cast<int>(means_.size()) - 1;
-  for (int k = 0; k < static_cast<int>(kMeans) && last >= k * kMeanDistance; ++k) {
+  for (int k = 0; k < static_cast<int>(kFinalMeans) && last >= k * kMeanDistance; ++k) {
     add(means_[static_cast<std::size_t>(last - k * kMeanDistance)]);
   }
   std::vector<std::pair<double, const TunedValues*>> complete;
@@ -40,7 +39,7 @@ std::vector<TunedValues> Tuner::finalists() const {
   }
   std::stable_sort(complete.begin(), complete.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (std::size_t k = 0; k < std::min(kBestScores, complete.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(kFinalScores, complete.size()); ++k) {
     add(*complete[k].second);
   }
   return found;
@@ -134,8 +133,7 @@ TunedValues Tuner::withEffects(const TunedValues& full, std::size_t count) const
 }
 
 base::Diagnostics Tuner::simplify(const TunedValues& full, const TuneScoring& scoring) {
-  const std::size_t limit =
-      std::min(result_.effects.size(), static_cast<std::size_t>(options_.maxChanges));
+  const std::size_t limit = std::min(result_.effects.size(), mostChanges());
   const auto useful = static_cast<std::size_t>(
       std::count_if(result_.effects.begin(), result_.effects.end(),
                     [](const TuneEffect& effect) { return effect.isKept; }));

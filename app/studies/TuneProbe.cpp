@@ -171,8 +171,7 @@ base::Diagnostics Tuner::combine() {
   std::set<std::size_t> changed;
   TunedValues together = base_;
   for (const TuneProbe* const probe : gains) {
-    if (changed.size() == static_cast<std::size_t>(options_.maxChanges) ||
-        !changed.insert(probe->parameter).second) {
+    if (changed.size() == mostChanges() || !changed.insert(probe->parameter).second) {
       continue;
     }
     together[probe->parameter] = probe->to;
@@ -217,8 +216,7 @@ std::vector<std::size_t> Tuner::screened() const {
     strengths.emplace_back(-strength, k);
   }
   std::stable_sort(strengths.begin(), strengths.end());
-  const std::size_t most =
-      std::min({strengths.size(), kMostVaried, static_cast<std::size_t>(options_.maxChanges)});
+  const std::size_t most = std::min(kMostVaried, mostChanges());
   std::vector<std::size_t> parameters;
   for (std::size_t k = 0; k < most; ++k) {
     if (k < 2 || strengths[k].first < 0.0) {

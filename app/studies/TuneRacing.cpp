@@ -7,11 +7,10 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t kFewestRuns = 3;     // of the first rung
-constexpr std::size_t kMostFinalists = 6;  // TuneChoice.cpp
-constexpr std::size_t kMostSimplifications = 3;
-constexpr std::size_t kMostRepeats = 8;  // of the runs of a race of the search
-constexpr double kFinalShare = 0.4;      // of the runs, for the final comparisons
+constexpr std::size_t kFewestRuns = 3;           // of the first rung
+constexpr std::size_t kMostSimplifications = 3;  // numbers of changes that simplify() tries
+constexpr std::size_t kMostRepeats = 8;          // of the runs of a race of the search
+constexpr double kFinalShare = 0.4;              // of the runs, for the final comparisons
 
 std::size_t dividedUp(std::size_t count, std::size_t by) {
   return (count + by - 1) / by;
@@ -56,15 +55,16 @@ std::size_t Tuner::raceCost(const std::vector<Rung>& rungs) const {
 }
 
 std::size_t Tuner::reserve(std::size_t runs, std::size_t changes) const {
-  return costOf(finalRungs(kMostFinalists, runs)) + (2 + changes + kMostSimplifications) * runs;
+  constexpr std::size_t kMostFinalists = 1 + kFinalMeans + kFinalScores;
+  constexpr std::size_t kReferences = 2;  // the base and the values before
+  return costOf(finalRungs(kMostFinalists, runs)) +
+         (kReferences + changes + kMostSimplifications) * runs;
 }
 
 std::size_t Tuner::finalCount() const {
-  const std::size_t changes =
-      std::min(subject_.parameters().size(), static_cast<std::size_t>(options_.maxChanges));
   for (const std::size_t factor : {std::size_t{4}, std::size_t{2}}) {
     const std::size_t count = factor * searchRuns();
-    if (static_cast<double>(reserve(count, changes)) <=
+    if (static_cast<double>(reserve(count, mostChanges())) <=
         kFinalShare * static_cast<double>(options_.runs)) {
       return count;
     }
@@ -83,9 +83,7 @@ std::size_t Tuner::affordableCount(std::size_t changes) const {
 }
 
 bool Tuner::canAfford(std::size_t runs) const {
-  const std::size_t changes =
-      std::min(subject_.parameters().size(), static_cast<std::size_t>(options_.maxChanges));
-  return result_.searchRuns + runs + reserve(finalCount(), changes) <= options_.runs;
+  return result_.searchRuns + runs + reserve(finalCount(), mostChanges()) <= options_.runs;
 }
 
 base::Result<std::vector<std::size_t>> Tuner::race(const std::vector<TunedValues>& candidates,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -13,6 +14,9 @@
 namespace app {
 
 constexpr double kLeastImprovement = 0.01;  // of the score, to choose a candidate
+// The final comparison has the base, these numbers of means of the distribution and of candidates
+// with the best scores.
+constexpr std::size_t kFinalMeans = 3, kFinalScores = 2;
 
 /// Numbers of runs of a candidate: run k has scenario k mod scenarios.
 using TuneRuns = std::vector<std::size_t>;
@@ -46,6 +50,10 @@ class Tuner {
   }
   std::size_t heldOutRuns() const {
     return options_.heldOut.size() * static_cast<std::size_t>(options_.heldOutSeeds);
+  }
+  /// Parameters that may be changed.
+  std::size_t mostChanges() const {
+    return std::min(subject_.parameters().size(), static_cast<std::size_t>(options_.maxChanges));
   }
   /// Runs that no candidate has had yet, so that the search does not adapt to single seeds.
   TuneRuns newRuns(std::size_t count);
