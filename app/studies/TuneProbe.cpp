@@ -9,7 +9,7 @@ namespace app {
 
 namespace {
 
-constexpr int kMostRounds = 3;      // of the same kind
+constexpr int kMostRounds = 3;      // of the same kind; another one follows a new base
 constexpr double kLargeGain = 0.1;  // of the score: other values may matter now
 constexpr double kCertain = 3.0;    // standard errors: the best of many candidates is often luck
 constexpr double kDistantShares[] = {0.15, 0.85, 0.5};  // of the range of a parameter
@@ -91,30 +91,23 @@ std::vector<TunedValues> Tuner::rangeCandidates() const {
 
 base::Diagnostics Tuner::probe() {
   show("single parameters");
-  double gain = 0.0;
-  for (int round = 0; round < kMostRounds; ++round) {
-    base::Diagnostics problems = probeAll(defaultCandidates(), gain);
-    if (!problems.empty()) {
-      return problems;
-    }
-    if (gain < kLargeGain) {
-      break;
-    }
-  }
-  for (int round = 0; round < kMostRounds; ++round) {
-    base::Diagnostics problems = probeAll(rangeCandidates(), gain);
-    if (!problems.empty()) {
-      return problems;
-    }
-    if (gain < kLargeGain) {
-      break;
+  for (const auto candidates : {&Tuner::defaultCandidates, &Tuner::rangeCandidates}) {
+    bool hasNewBase = true;
+    for (int round = 0; round < kMostRounds && hasNewBase; ++round) {
+      const TunedValues before = base_;
+      base::Diagnostics problems = probeAll((this->*candidates)());
+      if (!problems.empty()) {
+        return problems;
+      }
+      hasNewBase = base_ != before;
     }
   }
-  return combine();
+  base::Diagnostics problems = combine();
+  varied_ = screened();
+  return problems;
 }
 
-base::Diagnostics Tuner::probeAll(const std::vector<TunedValues>& candidates, double& gain) {
-  gain = 0.0;
+base::Diagnostics Tuner::probeAll(const std::vector<TunedValues>& candidates) {
   const std::vector<Rung> rungs = searchRungs(candidates.size());
   if (candidates.empty() || !canAfford(raceCost(rungs))) {
     return {};
@@ -133,7 +126,6 @@ base::Diagnostics Tuner::probeAll(const std::vector<TunedValues>& candidates, do
   const TuneScore score = searchScore(best, runs);
   const double improvement = 1.0 - score.total;
   if (improvement >= kLargeGain && improvement > kCertain * score.error) {
-    gain = improvement;
     probes_.clear();  // they belong to the base so far
     setBase(best);
   }
@@ -155,7 +147,7 @@ void Tuner::note(const std::vector<TunedValues>& candidates, const TuneRuns& run
   }
 }
 
-base::Diagnostics Tuner::combine() {
+std::vector<TunedValues> Tuner::combinedCandidates() const {
   std::vector<const TuneProbe*> gains;  // the best of each parameter, the best first
   for (const TuneProbe& probe : probes_) {
     if (probe.score.total < 1.0 - probe.score.error / 2.0) {
@@ -183,9 +175,13 @@ base::Diagnostics Tuner::combine() {
       candidates.push_back(together);
     }
   }
-  std::vector<Rung> rungs = finalRungs(candidates.size(), finalCount());
+  return candidates;
+}
+
+base::Diagnostics Tuner::combine() {
+  const std::vector<TunedValues> candidates = combinedCandidates();
+  const std::vector<Rung> rungs = finalRungs(candidates.size(), finalCount());
   if (candidates.empty() || !canAfford(raceCost(rungs))) {
-    varied_ = screened();
     return {};
   }
   show("combined changes");
@@ -202,7 +198,6 @@ base::Diagnostics Tuner::combine() {
   if (score.total < 1.0 - std::max(kLeastImprovement, score.error)) {
     setBase(best);
   }
-  varied_ = screened();
   return {};
 }
 

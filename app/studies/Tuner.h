@@ -101,12 +101,13 @@ class Tuner {
   std::vector<TunedValues> defaultCandidates() const;
   /// The base with one parameter at values that are far from the present one.
   std::vector<TunedValues> rangeCandidates() const;
-  /// Races the candidates and notes what the changes of single parameters do. `gain`: of the best
-  /// candidate, if that has become the base.
-  base::Diagnostics probeAll(const std::vector<TunedValues>& candidates, double& gain);
+  /// Races the candidates and notes what the changes of single parameters do. The best one becomes
+  /// the base if its gain is large and certain.
+  base::Diagnostics probeAll(const std::vector<TunedValues>& candidates);
   void note(const std::vector<TunedValues>& candidates, const TuneRuns& runs);
-  /// Races the best changes of different parameters, alone and together; the best set becomes the
-  /// base.
+  /// The best changes of different parameters, alone and together.
+  std::vector<TunedValues> combinedCandidates() const;
+  /// Races these; the best one becomes the base if it is better than that.
   base::Diagnostics combine();
   /// The parameters that the CMA-ES varies: those of the base that have changed, and those with
   /// the largest effects.
