@@ -101,9 +101,8 @@ class CoverPage : public OutputPage {
       table->item(row++, 4)->setToolTip(QString::fromStdString(base::join(run.nodes, "\n")));
     }
     widenColumns(*table);
-    setPlayable(*table, tr("Double-click a run to play it"));
-    connect(table, &QTableWidget::itemActivated, this, [this](const QTableWidgetItem* item) {
-      const CoverOutput::Run& run = output_.coveringRuns[static_cast<std::size_t>(item->row())];
+    setPlayable(*table, tr("Double-click a run to play it"), [this](int each) {
+      const CoverOutput::Run& run = output_.coveringRuns[static_cast<std::size_t>(each)];
       Q_EMIT playRequested({run.play, tr("run %1").arg(run.number)});
     });
     return pageWithNote(table, tr("Runs that executed nodes which no earlier run had executed. "

@@ -133,9 +133,8 @@ class GatePage : public OutputPage {
     }
     pairs_->horizontalHeader()->setStretchLastSection(true);
     widenColumns(*pairs_);
-    setPlayable(*pairs_, tr("Double-click a pair to play the run of the candidate"));
-    connect(pairs_, &QTableWidget::itemActivated, this,
-            [this](const QTableWidgetItem* item) { play(item->row(), true); });
+    setPlayable(*pairs_, tr("Double-click a pair to play the run of the candidate"),
+                [this](int each) { play(each, true); });
     pairs_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(pairs_, &QWidget::customContextMenuRequested, this, &GatePage::showMenu);
     return pageWithNote(pairs_, tr("Runs in which only the candidate has no success, then the "

@@ -120,8 +120,11 @@ QWidget* pageWithNote(QWidget* content, const QString& note) {
   return page;
 }
 
-void setPlayable(QTableWidget& table, const QString& tip) {
+void setPlayable(QTableWidget& table, const QString& tip,
+                 const std::function<void(int row)>& play) {
   table.setToolTip(tip);
+  QObject::connect(&table, &QTableWidget::itemActivated, &table,
+                   [play](const QTableWidgetItem* item) { play(item->row()); });
   if (table.rowCount() > 0) {
     table.selectRow(0);  // Enter plays it
   }

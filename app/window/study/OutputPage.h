@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <QtWidgets>
 
 #include "app/report/StudyOutput.h"
@@ -71,7 +73,8 @@ double reachOf(double difference, const statistics::Interval& interval, double l
 QString scenarioTitle(const std::string& path);
 /// A page with a note below the content.
 QWidget* pageWithNote(QWidget* content, const QString& note);
-/// The row of a table is played with a double click or Enter.
-void setPlayable(QTableWidget& table, const QString& tip);
+/// Calls `play` with the row that is double-clicked or, with Enter, the current one; selects the
+/// first row. `tip`: tooltip of the table.
+void setPlayable(QTableWidget& table, const QString& tip, const std::function<void(int row)>& play);
 
 }  // namespace app

@@ -115,9 +115,7 @@ class SearchPage : public OutputPage {
       fillFailure(*table, static_cast<int>(k), rows_[k], output_.worst && k == 0);
     }
     widenColumns(*table);
-    setPlayable(*table, tr("Double-click a failure to play it"));
-    connect(table, &QTableWidget::itemActivated, this,
-            [this](const QTableWidgetItem* item) { play(item->row()); });
+    setPlayable(*table, tr("Double-click a failure to play it"), [this](int row) { play(row); });
     return pageWithNote(
         table,
         output_.worst
