@@ -148,9 +148,13 @@ class Searcher {
 
   /// The nodes of a run become less rare with each later run that executes them.
   void rateByCoverage() {
-    for (std::size_t k = 0; plan_.covers && k < result_.runs.size(); ++k) {
+    if (!plan_.covers) {
+      return;
+    }
+    const std::vector<double> rarities = result_.coverage.rarities();
+    for (std::size_t k = 0; k < result_.runs.size(); ++k) {
       SearchedRun& run = result_.runs[k];
-      run.fitness = run.wasSimulated ? result_.coverage.rarity(k) : kUndefinedFitness;
+      run.fitness = run.wasSimulated ? rarities[k] : kUndefinedFitness;
       rated_[k].fitness = run.fitness;
     }
   }

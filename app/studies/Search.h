@@ -88,8 +88,8 @@ double fitnessOf(const ResultRow& row, const SearchPlan& plan);
 
 /// Searches. To cover trees, it rates all runs again after each batch, by the rarity of their nodes
 /// (SearchCoverage), and ends when there is no missing node; the results of `run` must have trees.
-/// Equal plans give equal results for any number of parallel processes. Errors: those of
-/// `run` and of the judge.
+/// Equal plans give equal results for any number of parallel processes. Errors: those of `run` and
+/// of the judge.
 base::Result<SearchResult> search(const SearchSpace& space, const SearchPlan& plan,
                                   const RunMany& run);
 

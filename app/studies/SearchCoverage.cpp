@@ -45,18 +45,21 @@ std::size_t SearchCoverage::add(std::size_t run, const std::string& scenario,
   return found;
 }
 
-double SearchCoverage::rarity(std::size_t run) const {
+std::vector<double> SearchCoverage::rarities() const {
   std::vector<bool> hasMissing;
   for (const SearchedTree& tree : trees_) {
     hasMissing.push_back(tree.missing() > 0);
   }
-  double sum = 0.0;
-  for (const auto& [tree, node] :
-       run < executed_.size() ? executed_[run] : std::vector<NodeIndex>()) {
-    const std::size_t runs = trees_[tree].counts.nodes[node].executed;
-    sum += hasMissing[tree] ? 1.0 / static_cast<double>(runs) : 0.0;
+  std::vector<double> sums;
+  sums.reserve(executed_.size());
+  for (const std::vector<NodeIndex>& nodes : executed_) {
+    double& sum = sums.emplace_back(0.0);
+    for (const auto& [tree, node] : nodes) {
+      const std::size_t runs = trees_[tree].counts.nodes[node].executed;
+      sum += hasMissing[tree] ? 1.0 / static_cast<double>(runs) : 0.0;
+    }
   }
-  return sum;
+  return sums;
 }
 
 bool SearchCoverage::isComplete() const {

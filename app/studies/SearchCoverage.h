@@ -33,9 +33,9 @@ class SearchCoverage {
   /// nodes that no earlier run had executed.
   std::size_t add(std::size_t run, const std::string& scenario, const std::vector<TreeRow>& rows);
 
-  /// How rare the nodes are that a run has executed: the sum of 1/(number of runs so far that have
-  /// executed it), over the nodes of trees that have missing nodes.
-  double rarity(std::size_t run) const;
+  /// Per run, how rare the nodes are that it has executed: the sum of 1/(number of runs so far that
+  /// have executed it), over the nodes of trees that have missing nodes.
+  std::vector<double> rarities() const;
   /// There are trees, and none has a missing node.
   bool isComplete() const;
 

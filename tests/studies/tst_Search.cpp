@@ -375,8 +375,8 @@ class SearchTest : public QObject {
     QCOMPARE(tree.scenarios, (std::vector<std::string>{"a", "b"}));
     QCOMPARE(tree.missing(), std::size_t{1});
     QVERIFY(tree.firstRuns[1] == std::optional<std::size_t>(0) && tree.isMissing(2));
-    QCOMPARE(coverage.rarity(0), 1.5);  // 1/2 for T, 1 for T/x
-    QCOMPARE(coverage.rarity(1), 0.5);  // nothing for U, which is complete
+    // 1/2 for T, 1 for T/x; 1/2 for T, nothing for U, which is complete
+    QCOMPARE(coverage.rarities(), (std::vector<double>{1.5, 0.5}));
     QCOMPARE(coverage.add(2, "a", {{"p01", "T\nT/x\nT/y\nT/z", "222u"}}), std::size_t{1});
     QVERIFY(coverage.isComplete());
     QCOMPARE(coverage.add(3, "a", {{"p01", "T\nT/x\nT/y\nT/z", "2220"}}), std::size_t{0});
