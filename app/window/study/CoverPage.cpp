@@ -1,7 +1,6 @@
 #include "app/window/study/OutputPage.h"
 #include "app/window/study/StudyTable.h"
 #include "editor/look/Form.h"
-#include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -21,19 +20,11 @@ class CoverPage : public OutputPage {
   }
 
  private:
-  QTableWidget* tableOf(const QString& name, const QStringList& titles, const QList<int>& texts) {
-    auto* table = new QTableWidget(this);
-    styleStudyTable(*table, name);
-    table->verticalHeader()->setDefaultSectionSize(editor::kListRowHeight);
-    setStudyColumns(*table, titles, texts);
-    return table;
-  }
-
   QWidget* makeTrees() {
-    QTableWidget* table = tableOf(tr("Trees"),
-                                  {tr("Tree"), tr("Of"), tr("Scenarios"), tr("Runs"),
-                                   tr("Reached nodes"), tr("Never reached"), tr("Unreachable")},
-                                  {1, 2});
+    QTableWidget* table = studyList(tr("Trees"),
+                                    {tr("Tree"), tr("Of"), tr("Scenarios"), tr("Runs"),
+                                     tr("Reached nodes"), tr("Never reached"), tr("Unreachable")},
+                                    {1, 2});
     table->setRowCount(static_cast<int>(output_.trees.size()));
     int row = 0;
     for (const CoverOutput::Tree& tree : output_.trees) {
@@ -64,7 +55,8 @@ class CoverPage : public OutputPage {
   }
 
   QWidget* makeNeverReached() {
-    QTableWidget* table = tableOf(tr("Never reached"), {tr("Tree"), tr("Of"), tr("Node")}, {1, 2});
+    QTableWidget* table =
+        studyList(tr("Never reached"), {tr("Tree"), tr("Of"), tr("Node")}, {1, 2});
     for (const CoverOutput::Tree& tree : output_.trees) {
       for (const std::string& node : tree.neverReached) {
         const int row = table->rowCount();
@@ -88,7 +80,7 @@ class CoverPage : public OutputPage {
     if (output_.coveringRuns.empty()) {
       return editor::emptyState(tr("No run has executed a node of a behaviour tree."), this);
     }
-    QTableWidget* table = tableOf(
+    QTableWidget* table = studyList(
         tr("Runs"), {tr("Run"), tr("Scenario"), tr("Seed"), tr("Ended"), tr("New nodes")}, {1, 3});
     table->setRowCount(static_cast<int>(output_.coveringRuns.size()));
     int row = 0;

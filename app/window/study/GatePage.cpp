@@ -118,10 +118,8 @@ class GatePage : public OutputPage {
 
  private:
   QWidget* makePairs() {
-    pairs_ = new QTableWidget(this);
-    styleStudyTable(*pairs_, tr("Pairs in which the candidate is worse"));
-    setStudyColumns(*pairs_, {tr("Scenario"), tr("Seed"), tr("Candidate")}, {0, 2});
-    pairs_->verticalHeader()->setDefaultSectionSize(kPairHeight);
+    pairs_ = studyList(tr("Pairs in which the candidate is worse"),
+                       {tr("Scenario"), tr("Seed"), tr("Candidate")}, {0, 2});
     pairs_->setRowCount(static_cast<int>(output_.findings.size()));
     int row = 0;
     for (const GateOutput::Finding& finding : output_.findings) {
@@ -166,7 +164,6 @@ class GatePage : public OutputPage {
     menu->popup(pairs_->viewport()->mapToGlobal(at));
   }
 
-  static constexpr int kPairHeight = 24;  // [px]
   const GateOutput output_;
   QTableWidget* pairs_ = nullptr;  // none: no pairs are listed
 };

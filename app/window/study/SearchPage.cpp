@@ -7,7 +7,6 @@
 #include "app/window/study/OutputPage.h"
 #include "app/window/study/StudyTable.h"
 #include "editor/look/Form.h"
-#include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -103,13 +102,11 @@ class SearchPage : public OutputPage {
   QString title() const { return output_.worst ? tr("Worst run") : tr("Failures"); }
 
   QWidget* makeFailures() {
-    auto* table = new QTableWidget;
-    styleStudyTable(*table, title());
-    table->verticalHeader()->setDefaultSectionSize(editor::kListRowHeight);
-    setStudyColumns(*table,
-                    {tr("Kind"), tr("Found in"), tr("Seed"), tr("People"), tr("Ended"),
-                     tr("End [s]"), tr("Remaining changes"), tr("Repeated")},
-                    {KindColumn, FoundIn, EndedBy, ChangesColumn, RepeatedColumn});
+    QTableWidget* table =
+        studyList(title(),
+                  {tr("Kind"), tr("Found in"), tr("Seed"), tr("People"), tr("Ended"), tr("End [s]"),
+                   tr("Remaining changes"), tr("Repeated")},
+                  {KindColumn, FoundIn, EndedBy, ChangesColumn, RepeatedColumn});
     table->setRowCount(static_cast<int>(rows_.size()));
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       fillFailure(*table, static_cast<int>(k), rows_[k], output_.worst && k == 0);

@@ -7,6 +7,7 @@
 #include "app/window/study/StudyTable.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
+#include "editor/panels/RowDelegate.h"
 #include "editor/panels/runs/ScatterPlot.h"
 #include "sim2d/base/Text.h"
 
@@ -143,7 +144,7 @@ class SensitivityPage : public OutputPage {
 
   QWidget* makeHalves() {
     styleStudyTable(*table_, tr("Importance"));
-    table_->verticalHeader()->setDefaultSectionSize(kFactorRow);
+    table_->verticalHeader()->setDefaultSectionSize(editor::kListRowHeight);
     auto* halves = new QSplitter(Qt::Horizontal, this);
     halves->setChildrenCollapsible(false);
     halves->addWidget(table_);
@@ -278,10 +279,8 @@ class SensitivityPage : public OutputPage {
   }
 
   QWidget* makeUncertain() {
-    auto* table = new QTableWidget;
-    styleStudyTable(*table, tr("Uncertain results"));
-    table->verticalHeader()->setDefaultSectionSize(kFactorRow);
-    setStudyColumns(*table, {tr("Metric"), tr("Case"), tr("Reason")}, {0, 1, 2});
+    QTableWidget* table =
+        studyList(tr("Uncertain results"), {tr("Metric"), tr("Case"), tr("Reason")}, {0, 1, 2});
     for (const SensitivityOutput::Result& result : output_.results) {
       for (const QString& reason : uncertainties(output_, result)) {
         const int row = table->rowCount();
@@ -301,7 +300,6 @@ class SensitivityPage : public OutputPage {
     return pageWithNote(table, tr("More points or seeds make these results certain."));
   }
 
-  static constexpr int kFactorRow = 24;    // [px]
   static constexpr int kLeastPlane = 260;  // [px]
   const SensitivityOutput output_;
   QComboBox* metrics_ = nullptr;

@@ -180,4 +180,12 @@ void setStudyColumns(QTableWidget& table, const QStringList& titles, const QList
   }
 }
 
+QTableWidget* studyList(const QString& name, const QStringList& titles, const QList<int>& texts) {
+  auto* table = new QTableWidget;
+  styleStudyTable(*table, name);
+  table->verticalHeader()->setDefaultSectionSize(editor::kListRowHeight);
+  setStudyColumns(*table, titles, texts);
+  return table;
+}
+
 }  // namespace app

@@ -51,4 +51,7 @@ QTableWidgetItem* intervalCell(const QString& text, double mean,
 /// Sets the titles of the columns; `texts`: columns with text, which is left-aligned.
 void setStudyColumns(QTableWidget& table, const QStringList& titles, const QList<int>& texts);
 
+/// A table without intervals below the texts, and therefore with low rows.
+QTableWidget* studyList(const QString& name, const QStringList& titles, const QList<int>& texts);
+
 }  // namespace app

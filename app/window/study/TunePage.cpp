@@ -240,15 +240,12 @@ class TunePage : public OutputPage {
   }
 
   QWidget* makeFront() {
-    auto* table = new QTableWidget;
-    styleStudyTable(*table, tr("Candidates on the front"));
-    table->verticalHeader()->setDefaultSectionSize(kFrontRow);
     QStringList titles;
     for (const std::string& key : output_.objectives) {
       titles.append(tr("%1 [%]").arg(outputMetricTitle(key, false)));
     }
     titles.append(tr("Changed values"));
-    setStudyColumns(*table, titles, {titles.size() - 1});
+    QTableWidget* table = studyList(tr("Candidates on the front"), titles, {titles.size() - 1});
     for (std::size_t k = 0; k < output_.candidates.size(); ++k) {
       if (output_.candidates[k].isOnFront) {
         addCandidate(*table, k);
@@ -346,7 +343,6 @@ class TunePage : public OutputPage {
                                        "used: the tuned file is unchanged."));
   }
 
-  static constexpr int kFrontRow = 24;     // [px]
   static constexpr int kLeastPlane = 320;  // [px]
   const TuneOutput output_;
   const OutputPlace place_;
