@@ -54,20 +54,17 @@ QwtPlotCurve* pointCurve(QwtPlot& plot, double z) {
   return curve;
 }
 
-/// Where a name may be, relative to its point: in order of preference.
-struct NamePlace {
-  Qt::Alignment side;
-  QPointF corner(const QPointF& at, const QSizeF& size) const {
-    if (side == Qt::AlignRight) {
-      return {at.x() + kNameGap, at.y() - size.height() / 2.0};
-    }
-    if (side == Qt::AlignLeft) {
-      return {at.x() - kNameGap - size.width(), at.y() - size.height() / 2.0};
-    }
-    const double y = side == Qt::AlignTop ? at.y() - kNameGap - size.height() : at.y() + kNameGap;
-    return {at.x() - size.width() / 2.0, y};
+/// The upper left corner of a name of this size on a side of its point `at` [px].
+QPointF nameCorner(Qt::AlignmentFlag side, const QPointF& at, const QSizeF& size) {
+  if (side == Qt::AlignRight) {
+    return {at.x() + kNameGap, at.y() - size.height() / 2.0};
   }
-};
+  if (side == Qt::AlignLeft) {
+    return {at.x() - kNameGap - size.width(), at.y() - size.height() / 2.0};
+  }
+  const double y = side == Qt::AlignTop ? at.y() - kNameGap - size.height() : at.y() + kNameGap;
+  return {at.x() - size.width() / 2.0, y};
+}
 
 }  // namespace
 
@@ -89,16 +86,11 @@ ScatterPlot::ScatterPlot(const Theme& theme, const QString& accessibleName, QWid
   line_->attach(plot_);
   plot_->canvas()->installEventFilter(this);
   setAccessibleName(accessibleName);
-  setTheme(theme);
-}
-
-ScatterPlot::~ScatterPlot() = default;
-
-void ScatterPlot::setTheme(const Theme& theme) {
-  theme_ = theme;
   stylePlot(*plot_, theme);
   applyStyles();
 }
+
+ScatterPlot::~ScatterPlot() = default;
 
 void ScatterPlot::applyStyles() {
   const QColor accent = theme_.color(Role::Accent);
@@ -197,28 +189,20 @@ void ScatterPlot::placeNames() {
     }
     const QSizeF size(metrics.horizontalAdvance(point.name), metrics.height());
     const QPointF at = onCanvas(point);
-    for (const NamePlace place : {NamePlace{Qt::AlignRight}, NamePlace{Qt::AlignLeft},
-                                  NamePlace{Qt::AlignTop}, NamePlace{Qt::AlignBottom}}) {
-      const QRectF box(place.corner(at, size), size);
+    for (const Qt::AlignmentFlag side :
+         {Qt::AlignRight, Qt::AlignLeft, Qt::AlignTop, Qt::AlignBottom}) {
+      const QRectF box(nameCorner(side, at, size), size);
       const bool isFree = std::none_of(taken.begin(), taken.end(), [&box](const QRectF& other) {
         return other.intersects(box);
       });
       if (isFree && canvas.contains(box)) {
-        addMarker(point.x, point.y, point.name, place.side);
+        addMarker(point.x, point.y, point.name, side);
         taken.push_back(box);
         break;
       }
     }
   }
   plot_->replot();
-}
-
-QStringList ScatterPlot::visibleNames() const {
-  QStringList names;
-  for (const auto& marker : names_) {
-    names.append(marker->label().text());
-  }
-  return names;
 }
 
 void ScatterPlot::setCurrent(int point) {

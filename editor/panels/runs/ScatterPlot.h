@@ -20,7 +20,7 @@ struct PlottedPoint {
   QString name;             // beside the point, as far as there is space; empty: none
   QString tip;              // tooltip
   bool isStrong = true;     // otherwise drawn small in the secondary colour
-  bool isOutlined = false;  // with a ring, for example the value before a change
+  bool isOutlined = false;  // in a square, for example the values before a change
 };
 
 /// What a ScatterPlot shows.
@@ -32,7 +32,8 @@ struct PlottedPoints {
   bool isFromZero = false;           // both axes begin at 0
 };
 
-/// Points in a plane. Hovering over a point shows its tooltip; a click selects it. GUI thread.
+/// Points in a plane. Hovering over a point shows its tooltip; a click on it is signalled. GUI
+/// thread.
 class ScatterPlot : public QWidget {
   Q_OBJECT
  public:
@@ -40,7 +41,6 @@ class ScatterPlot : public QWidget {
   ~ScatterPlot() override;
   Q_DISABLE_COPY_MOVE(ScatterPlot)
 
-  void setTheme(const Theme& theme);
   void show(PlottedPoints shown);
   const PlottedPoints& shown() const { return shown_; }
   /// Emphasises a point; -1: none.
@@ -48,7 +48,6 @@ class ScatterPlot : public QWidget {
   int current() const { return current_; }
   /// The place of a point in this widget [px].
   QPoint placeOf(int point) const;
-  QStringList visibleNames() const;
 
  Q_SIGNALS:
   void pointClicked(int point);
@@ -58,14 +57,14 @@ class ScatterPlot : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  int pointAt(const QPoint& onCanvas) const;  // -1: none
+  int pointAt(const QPoint& place) const;  // on the canvas [px]; -1: none
   QPointF onCanvas(const PlottedPoint& point) const;
   void setScales();
   void applyStyles();
   void placeNames();
   void addMarker(double x, double y, const QString& text, Qt::Alignment side);
 
-  Theme theme_;
+  const Theme theme_;
   PlottedPoints shown_;
   int current_ = -1;
   QwtPlot* plot_;
