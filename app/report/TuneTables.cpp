@@ -59,6 +59,66 @@ std::vector<TuneCell> objectiveRow(const std::string& title, const TuneDifferenc
           {std::to_string(of.pairs)}};
 }
 
+/// The relative change of each objective [1].
+std::vector<double> objectiveChanges(const app::TuneOptions& options, const app::TuneScore& score) {
+  std::vector<double> changes;
+  changes.reserve(options.objectives.size());
+  for (std::size_t k = 0; k < options.objectives.size(); ++k) {
+    changes.push_back(options.objectives[k].sign * (score.ratios[k] - 1.0));
+  }
+  return changes;
+}
+
+/// A column per objective, in its own unit.
+void addObjectiveColumns(const app::TuneOptions& options, Table& table) {
+  for (const app::TuneObjective& objective : options.objectives) {
+    table.columns.push_back({objective.name, objective.unit});
+  }
+}
+
+/// A column per objective, for cells of addChanges().
+void addChangeColumns(const app::TuneOptions& options, Table& table) {
+  for (const app::TuneObjective& objective : options.objectives) {
+    table.columns.push_back({objective.name, "%"});
+  }
+}
+
+void addChanges(const app::TuneOptions& options, const app::TuneScore& score,
+                std::vector<TuneCell>& row) {
+  for (const double change : objectiveChanges(options, score)) {
+    row.push_back({signedPercent(change)});
+  }
+}
+
+/// A candidate that was run on all runs of the search, in the plane of the two objectives.
+struct FrontPoint {
+  base::Vec2 changes;  // of the objectives [%]
+  bool isOnFront = false, isChosen = false, isBefore = false;
+};
+
+std::vector<FrontPoint> frontPoints(const app::TuneOptions& options,
+                                    const app::TuneResult& result) {
+  std::vector<FrontPoint> points;
+  for (const TuneCandidate& candidate : result.candidates) {
+    if (candidate.isComplete) {
+      const std::vector<double> changes = objectiveChanges(options, candidate.score);
+      points.push_back({{100.0 * changes[0], 100.0 * changes[1]},
+                        candidate.isOnFront,
+                        result.chosen && candidate.values == *result.chosen,
+                        candidate.generation < 0});
+    }
+  }
+  return points;
+}
+
+void drawFrontPoint(Figure& figure, const FrontPoint& point, const base::Vec2& at) {
+  figure.disc(at.x(), at.y(), 3.0, point.isOnFront ? "heat" : "dim", point.isOnFront ? 1.0 : 0.5);
+  if (point.isBefore || point.isChosen) {
+    figure.mark(at.x(), at.y(), point.isChosen ? 1 : 0, 6.0);
+    figure.text(at.x() + 9.0, at.y() - 7.0, point.isChosen ? "chosen" : "before");
+  }
+}
+
 }  // namespace
 
 std::string signedPercent(double share) {
@@ -94,13 +154,11 @@ Table tuneEvaluationTable(const app::TuneOptions& options, const app::TuneResult
 }
 
 Table tuneScenarioTable(const app::TuneOptions& options, const app::TuneResult& result) {
-  Table table;
-  table.name = "evaluation_by_scenario";
-  table.caption = "The same per scenario: differences after − before with 95 % intervals.";
-  table.columns = {{"Scenario", "", false}, {"Success", ""}};
-  for (const app::TuneObjective& objective : options.objectives) {
-    table.columns.push_back({objective.name, objective.unit});
-  }
+  Table table{"evaluation_by_scenario",
+              "The same per scenario: differences after − before with 95 % intervals.",
+              {{"Scenario", "", false}, {"Success", ""}},
+              {}};
+  addObjectiveColumns(options, table);
   for (std::size_t k = 0; k < options.heldOut.size(); ++k) {
     const auto& [success, objectives] = result.evaluation->scenarios[k];
     table.rows.push_back({{tuneScenarioName(options.heldOut[k])}, ratePoints(success)});
@@ -113,18 +171,16 @@ Table tuneScenarioTable(const app::TuneOptions& options, const app::TuneResult& 
 
 Table tuneEffectsTable(const app::TuneOptions& options, const app::TuneSubject& subject,
                        const app::TuneResult& result) {
-  Table table;
-  table.name = "effects";
-  table.caption =
+  Table table{
+      "effects",
       "What each change contributes: the candidate compared with itself without this change, on " +
-      counted(result.chosenRuns, "run") +
-      " of the search. Score: loss without the change, in percent of the present score. "
-      "Differences with the change − without it, 95 % intervals. Changes that lose nothing when "
-      "they are taken back together are not in the tuned file.";
-  table.columns = {{"Parameter", "", false}, {"Before", ""}, {"After", ""}, {"Score", ""}};
-  for (const app::TuneObjective& objective : options.objectives) {
-    table.columns.push_back({objective.name, objective.unit});
-  }
+          counted(result.chosenRuns, "run") +
+          " of the search. Score: loss without the change, in percent of the present score. "
+          "Differences with the change − without it, 95 % intervals. Changes that lose nothing "
+          "when they are taken back together are not in the tuned file.",
+      {{"Parameter", "", false}, {"Before", ""}, {"After", ""}, {"Score", ""}},
+      {}};
+  addObjectiveColumns(options, table);
   table.columns.push_back({"In the file", "", false});
   for (const app::TuneEffect& effect : result.effects) {
     const app::TunedParameter& parameter = subject.parameters()[effect.parameter];
@@ -139,10 +195,10 @@ Table tuneEffectsTable(const app::TuneOptions& options, const app::TuneSubject& 
 }
 
 Table tuneParametersTable(const app::TuneSubject& subject, const app::TuneResult& result) {
-  Table table;
-  table.name = "parameters";
-  table.caption = "The parameters of the search.";
-  table.columns = {{"Parameter", "", false}, {"Range", "", false}, {"Before", ""}, {"Chosen", ""}};
+  Table table{"parameters",
+              "The parameters of the search.",
+              {{"Parameter", "", false}, {"Range", "", false}, {"Before", ""}, {"Chosen", ""}},
+              {}};
   for (std::size_t k = 0; k < subject.parameters().size(); ++k) {
     const app::TunedParameter& parameter = subject.parameters()[k];
     const std::string chosen = result.chosen ? (*result.chosen)[k] : parameter.present;
@@ -160,18 +216,19 @@ Table tuneParametersTable(const app::TuneSubject& subject, const app::TuneResult
 
 Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& subject,
                      const app::TuneResult& result) {
-  Table table;
-  table.name = "probes";
-  table.caption =
+  Table table{
+      "probes",
       "Single parameters set to their defaults and to distant values, compared with the best "
-      "values "
-      "so far on the same runs (relative; negative is better in the score). Few runs: only large "
-      "effects are certain. The CMA-ES varied the parameters in bold.";
-  table.columns = {{"Parameter", "", false}, {"From", ""}, {"To", ""}, {"Runs", ""}, {"Score", ""},
-                   {"Standard error", ""}};
-  for (const app::TuneObjective& objective : options.objectives) {
-    table.columns.push_back({objective.name, "%"});
-  }
+      "values so far on the same runs (relative; a negative score is better). Few runs: only large "
+      "effects are certain. The CMA-ES varied the parameters in bold.",
+      {{"Parameter", "", false},
+       {"From", ""},
+       {"To", ""},
+       {"Runs", ""},
+       {"Score", ""},
+       {"Standard error", ""}},
+      {}};
+  addChangeColumns(options, table);
   table.columns.push_back({"Failures", "%"});
   for (const app::TuneProbe& probe : result.probes) {
     TuneCell name{subject.parameters()[probe.parameter].label()};
@@ -183,10 +240,7 @@ Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& su
                           {std::to_string(probe.runs)},
                           {signedPercent(probe.score.total - 1.0)},
                           percentCell(probe.score.error)});
-    for (std::size_t k = 0; k < options.objectives.size(); ++k) {
-      table.rows.back().push_back(
-          {signedPercent(options.objectives[k].sign * (probe.score.ratios[k] - 1.0))});
-    }
+    addChanges(options, probe.score, table.rows.back());
     table.rows.back().push_back(percentCell(probe.score.failures));
   }
   return table;
@@ -194,25 +248,21 @@ Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& su
 
 Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& subject,
                      const app::TuneResult& result) {
-  Table table;
-  table.name = "front";
-  table.caption =
+  Table table{
+      "front",
       "Candidates that no other one surpasses, in the runs of the search (changes relative to the "
       "present values with the same seeds). The search has chosen among many, so these values are "
-      "too good on average.";
-  for (const app::TuneObjective& objective : options.objectives) {
-    table.columns.push_back({objective.name, "%"});
-  }
+      "too good on average.",
+      {},
+      {}};
+  addChangeColumns(options, table);
   table.columns.push_back({"Changed values", "", false});
   for (const TuneCandidate& candidate : result.candidates) {
     if (!candidate.isOnFront) {
       continue;
     }
     table.rows.emplace_back();
-    for (std::size_t k = 0; k < options.objectives.size(); ++k) {
-      table.rows.back().push_back(
-          {signedPercent(options.objectives[k].sign * (candidate.score.ratios[k] - 1.0))});
-    }
+    addChanges(options, candidate.score, table.rows.back());
     std::vector<std::string> changes;
     for (std::size_t k = 0; k < candidate.values.size(); ++k) {
       const app::TunedParameter& parameter = subject.parameters()[k];
@@ -224,41 +274,6 @@ Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& su
   }
   return table;
 }
-
-namespace {
-
-/// A candidate that was run on all runs of the search, in the plane of the two objectives.
-struct FrontPoint {
-  base::Vec2 changes;  // of the objectives [%]
-  bool isOnFront = false, isChosen = false, isBefore = false;
-};
-
-std::vector<FrontPoint> frontPoints(const app::TuneOptions& options,
-                                    const app::TuneResult& result) {
-  std::vector<FrontPoint> points;
-  for (const TuneCandidate& candidate : result.candidates) {
-    if (candidate.isComplete) {
-      const auto percent = [&](std::size_t k) {
-        return 100.0 * options.objectives[k].sign * (candidate.score.ratios[k] - 1.0);
-      };
-      points.push_back({{percent(0), percent(1)},
-                        candidate.isOnFront,
-                        result.chosen && candidate.values == *result.chosen,
-                        candidate.generation < 0});
-    }
-  }
-  return points;
-}
-
-void drawFrontPoint(Figure& figure, const FrontPoint& point, const base::Vec2& at) {
-  figure.disc(at.x(), at.y(), 3.0, point.isOnFront ? "heat" : "dim", point.isOnFront ? 1.0 : 0.5);
-  if (point.isBefore || point.isChosen) {
-    figure.mark(at.x(), at.y(), point.isChosen ? 1 : 0, 6.0);
-    figure.text(at.x() + 9.0, at.y() - 7.0, point.isChosen ? "chosen" : "before");
-  }
-}
-
-}  // namespace
 
 std::optional<Figure> tuneFrontFigure(const app::TuneOptions& options,
                                       const app::TuneResult& result) {
