@@ -52,15 +52,19 @@ std::string nodeList(const SearchedTree& tree, const Shown& isShown) {
 }
 
 Table treesTable(const SearchStudy& study) {
-  Table table;
-  table.name = "trees";
-  table.caption =
+  Table table{
+      "trees",
       "Behaviour trees over all runs; equal trees are one. A node is reached if it was executed at "
-      "least once. Unreachable: the structure of the tree proves that it never is.";
-  table.columns = {{"Tree", {}, true},         {"Trees of", {}, false},
-                   {"Scenarios", {}, false},   {"Runs", {}, true},
-                   {"Nodes", {}, true},        {"Reached", {}, true},
-                   {"Unreachable", {}, false}, {"Last new node in run", {}, true}};
+      "least once. Unreachable: the structure of the tree proves that it never is.",
+      {{"Tree", {}, true},
+       {"Trees of", {}, false},
+       {"Scenarios", {}, false},
+       {"Runs", {}, true},
+       {"Nodes", {}, true},
+       {"Reached", {}, true},
+       {"Unreachable", {}, false},
+       {"Last new node in run", {}, true}},
+      {}};
   const std::vector<SearchedTree>& trees = study.result.coverage.trees();
   for (std::size_t k = 0; k < trees.size(); ++k) {
     const SearchedTree& tree = trees[k];
@@ -81,10 +85,10 @@ Table treesTable(const SearchStudy& study) {
 }
 
 Table neverTable(const SearchStudy& study) {
-  Table table;
-  table.name = "never";
-  table.caption = "Nodes that no run has reached, although nothing proves that it is impossible.";
-  table.columns = {{"Tree", {}, true}, {"Trees of", {}, false}, {"Node", {}, false}};
+  Table table{"never",
+              "Nodes that no run has reached, although nothing proves that it is impossible.",
+              {{"Tree", {}, true}, {"Trees of", {}, false}, {"Node", {}, false}},
+              {}};
   const std::vector<SearchedTree>& trees = study.result.coverage.trees();
   for (std::size_t k = 0; k < trees.size(); ++k) {
     for (std::size_t node = 0; node < trees[k].firstRuns.size(); ++node) {
@@ -100,13 +104,17 @@ Table neverTable(const SearchStudy& study) {
 
 /// The runs that reached a node first.
 Table coveringTable(const SearchStudy& study) {
-  Table table;
-  table.name = "archive";
-  table.caption =
+  Table table{
+      "archive",
       "The archive: runs that reached a node before all others, with the command that plays each "
-      "in the window; hunavsim run with the same words repeats it without.";
-  table.columns = {{"Run", {}, true},       {"Scenario", {}, false}, {"Seed", {}, true},
-                   {"New nodes", {}, true}, {"End", {}, false},      {"Play", {}, false}};
+      "in the window; hunavsim run with the same words repeats it without.",
+      {{"Run", {}, true},
+       {"Scenario", {}, false},
+       {"Seed", {}, true},
+       {"New nodes", {}, true},
+       {"End", {}, false},
+       {"Play", {}, false}},
+      {}};
   for (const std::size_t number : study.result.coveringRuns()) {
     const SearchedRun& run = study.result.runs[number];
     table.rows.push_back({{std::to_string(number)},
@@ -120,14 +128,14 @@ Table coveringTable(const SearchStudy& study) {
 }
 
 Table nodesTable(const SearchStudy& study) {
-  Table table;
-  table.name = "nodes";
-  table.caption = "Nodes that were reached, with the first run that did.";
-  table.columns = {{"Tree", {}, true},
-                   {"Node", {}, false},
-                   {"Runs", {}, true},
-                   {"First run", {}, true},
-                   {"Play", {}, false}};
+  Table table{"nodes",
+              "Nodes that were reached, with the first run that did.",
+              {{"Tree", {}, true},
+               {"Node", {}, false},
+               {"Runs", {}, true},
+               {"First run", {}, true},
+               {"Play", {}, false}},
+              {}};
   const std::vector<SearchedTree>& trees = study.result.coverage.trees();
   for (std::size_t k = 0; k < trees.size(); ++k) {
     for (std::size_t node = 0; node < trees[k].firstRuns.size(); ++node) {
