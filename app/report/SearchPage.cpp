@@ -29,10 +29,7 @@ std::string playFailureCommand(const std::string& folder, const SavedFailure& fa
 std::string remainingChangesText(const SavedFailure& failure) {
   std::vector<std::string> changes;
   for (const std::string& setting : failure.shrunk.request.spec.set) {
-    const std::string list = setting.substr(0, setting.find('='));
-    const bool isList = list == "agents" || list == "obstacles" || list == "doors" ||
-                        list == "areas" || list == "robots";
-    if (!isList) {
+    if (!app::isEntityList(setting)) {
       changes.push_back(setting);
     }
   }

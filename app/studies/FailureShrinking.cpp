@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "app/studies/DeltaDebugging.h"
@@ -255,6 +256,12 @@ base::Result<ShrunkFailure> shrunkFailure(const RunRequest& failing, const Resul
     }
   }
   return failure;
+}
+
+bool isEntityList(const std::string& setting) {
+  static constexpr const char* kLists[] = {"agents", "obstacles", "doors", "areas", "robots"};
+  const std::string path = settingPath(setting);
+  return std::find(std::begin(kLists), std::end(kLists), path) != std::end(kLists);
 }
 
 }  // namespace app

@@ -33,6 +33,10 @@ struct ShrunkFailure {
   bool isMinimal = false;  // false: `mostRuns` was reached
 };
 
+/// Whether a setting of a shrunk run ("agents=[anna]") is a list of the people, obstacles, doors,
+/// areas or robots that remain, and not a change of a value.
+bool isEntityList(const std::string& setting);
+
 /// Shrinks a run that fails with this kind by delta debugging (DeltaDebugging.h). What can go is:
 /// people, obstacles, doors, areas and all robots but the first; the changes of values (`--set`)
 /// except planners and their programs, which the failure belongs to; the variation of people. Then
