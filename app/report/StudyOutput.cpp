@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studies/FailureShrinking.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -42,6 +43,18 @@ std::size_t countIn(const OutputJson& object, const char* key) {
 
 std::vector<std::string> textsIn(const OutputJson& object, const char* key) {
   return object.at(key).get<std::vector<std::string>>();
+}
+
+/// The elements of a list, each read by a function.
+template <class Read>
+auto listIn(const OutputJson& object, const char* key, const Read& read) {
+  const OutputJson& list = object.at(key);
+  std::vector<decltype(read(list))> all;
+  all.reserve(list.size());
+  for (const OutputJson& each : list) {
+    all.push_back(read(each));
+  }
+  return all;
 }
 
 statistics::Interval intervalIn(const OutputJson& object, const char* low, const char* high) {
@@ -144,9 +157,8 @@ TuneOutput tuneOutputOf(const OutputJson& json) {
   TuneOutput output;
   output.verdict = valueNamed(stringIn(json, "verdict"), kVerdicts);
   output.file = stringIn(json, "file");
-  for (const OutputJson& objective : json.at("objectives")) {
-    output.objectives.push_back(stringIn(objective, "key"));
-  }
+  output.objectives = listIn(
+      json, "objectives", [](const OutputJson& objective) { return stringIn(objective, "key"); });
   output.searchRuns = countIn(json, "search_runs");
   output.evaluationRuns = countIn(json, "evaluation_runs");
   readTuneParameters(json.at("parameters"), output);
@@ -177,22 +189,19 @@ GateOutput::Metric gateMetricOf(const OutputJson& json) {
   return metric;
 }
 
+GateOutput::Finding gateFindingOf(const OutputJson& json) {
+  return {stringIn(json, "scenario"), json.at("seed").get<long long>(), stringIn(json, "what"),
+          stringIn(json, "play_candidate"), stringIn(json, "play_base")};
+}
+
 GateOutput gateOutputOf(const OutputJson& json) {
-  GateOutput output;
-  output.verdict = valueNamed(stringIn(json, "verdict"), kGateVerdicts);
-  output.base = stringIn(json, "base");
-  output.candidate = stringIn(json, "candidate");
-  output.pairs = countIn(json, "pairs");
-  output.remarks = textsIn(json, "remarks");
-  for (const OutputJson& metric : json.at("metrics")) {
-    output.metrics.push_back(gateMetricOf(metric));
-  }
-  for (const OutputJson& finding : json.at("findings")) {
-    output.findings.push_back({stringIn(finding, "scenario"), finding.at("seed").get<long long>(),
-                               stringIn(finding, "what"), stringIn(finding, "play_candidate"),
-                               stringIn(finding, "play_base")});
-  }
-  return output;
+  return {valueNamed(stringIn(json, "verdict"), kGateVerdicts),
+          stringIn(json, "base"),
+          stringIn(json, "candidate"),
+          countIn(json, "pairs"),
+          listIn(json, "metrics", gateMetricOf),
+          textsIn(json, "remarks"),
+          listIn(json, "findings", gateFindingOf)};
 }
 
 SensitivityOutput::Factor factorOf(const OutputJson& json, bool isMorris,
@@ -233,9 +242,9 @@ SensitivityOutput::Result sensitivityResultOf(const OutputJson& json, bool isMor
   result.wide = textsIn(few, "wide");
   result.unordered = few.at("unordered").get<std::vector<std::pair<std::string, std::string>>>();
   result.required = numberIn(few, "required");
-  for (const OutputJson& factor : json.at("factors")) {
-    result.factors.push_back(factorOf(factor, isMorris, ranges));
-  }
+  result.factors = listIn(json, "factors", [&](const OutputJson& factor) {
+    return factorOf(factor, isMorris, ranges);
+  });
   return result;
 }
 
@@ -248,17 +257,10 @@ SensitivityOutput sensitivityOutputOf(const OutputJson& json) {
   output.seeds = countIn(json, "seeds");
   output.level = numberIn(json, "level");
   output.constantMetrics = textsIn(json, "constant_metrics");
-  for (const OutputJson& result : json.at("results")) {
-    output.results.push_back(sensitivityResultOf(result, output.isMorris, json.at("factors")));
-  }
+  output.results = listIn(json, "results", [&](const OutputJson& result) {
+    return sensitivityResultOf(result, output.isMorris, json.at("factors"));
+  });
   return output;
-}
-
-/// Lists of what is switched on are not changes of values.
-bool isEntityList(const std::string& setting) {
-  static constexpr const char* kLists[] = {"agents", "obstacles", "doors", "areas", "robots"};
-  const std::string key = setting.substr(0, setting.find('='));
-  return std::find(std::begin(kLists), std::end(kLists), key) != std::end(kLists);
 }
 
 SearchOutput::Failure failureOutputOf(const OutputJson& json) {
@@ -273,7 +275,7 @@ SearchOutput::Failure failureOutputOf(const OutputJson& json) {
   failure.peopleBefore = countIn(json, "people_before");
   failure.changes = textsIn(json, "set");
   failure.changes.erase(
-      std::remove_if(failure.changes.begin(), failure.changes.end(), isEntityList),
+      std::remove_if(failure.changes.begin(), failure.changes.end(), app::isEntityList),
       failure.changes.end());
   failure.isMinimal = json.at("minimal").get<bool>();
   failure.isRepeated = json.at("repeated").get<bool>();
@@ -334,40 +336,35 @@ SearchOutput searchOutputOf(const OutputJson& json) {
   output.runs = countIn(json, "runs");
   output.notSimulated = countIn(json, "not_simulated");
   output.unavoidable = countIn(json, "unavoidable_contacts");
-  for (const OutputJson& failure : json.at("failures")) {
-    output.failures.push_back(failureOutputOf(failure));
-  }
+  output.failures = listIn(json, "failures", failureOutputOf);
   readWorstRun(json.at("worst_run"), output);
   readCells(json, output);
   return output;
 }
 
+CoverOutput::Tree coveredTreeOf(const OutputJson& json) {
+  return {countIn(json, "tree"),          stringIn(json, "owners"),    textsIn(json, "scenarios"),
+          countIn(json, "runs"),          countIn(json, "nodes"),      countIn(json, "reached"),
+          textsIn(json, "never_reached"), textsIn(json, "unreachable")};
+}
+
+CoverOutput::Run coveringRunOf(const OutputJson& json) {
+  const auto nodeText = [](const OutputJson& node) {
+    return std::to_string(countIn(node, "tree")) + ": " + stringIn(node, "node");
+  };
+  return {
+      countIn(json, "run"),     stringIn(json, "scenario"),      json.at("seed").get<long long>(),
+      stringIn(json, "reason"), listIn(json, "nodes", nodeText), stringIn(json, "play")};
+}
+
 CoverOutput coverOutputOf(const OutputJson& json) {
-  CoverOutput output;
-  output.runs = countIn(json, "runs");
-  output.notSimulated = countIn(json, "not_simulated");
-  output.nodes = countIn(json, "nodes");
-  output.reached = countIn(json, "reached");
-  output.unreachable = countIn(json, "unreachable");
-  for (const OutputJson& tree : json.at("trees")) {
-    output.trees.push_back({countIn(tree, "tree"), stringIn(tree, "owners"),
-                            textsIn(tree, "scenarios"), countIn(tree, "runs"),
-                            countIn(tree, "nodes"), countIn(tree, "reached"),
-                            textsIn(tree, "never_reached"), textsIn(tree, "unreachable")});
-  }
-  for (const OutputJson& each : json.at("archive")) {
-    CoverOutput::Run run;
-    run.number = countIn(each, "run");
-    run.scenario = stringIn(each, "scenario");
-    run.seed = each.at("seed").get<long long>();
-    run.reason = stringIn(each, "reason");
-    for (const OutputJson& node : each.at("nodes")) {
-      run.nodes.push_back(std::to_string(countIn(node, "tree")) + ": " + stringIn(node, "node"));
-    }
-    run.play = stringIn(each, "play");
-    output.coveringRuns.push_back(std::move(run));
-  }
-  return output;
+  return {countIn(json, "runs"),
+          countIn(json, "not_simulated"),
+          countIn(json, "nodes"),
+          countIn(json, "reached"),
+          countIn(json, "unreachable"),
+          listIn(json, "trees", coveredTreeOf),
+          listIn(json, "archive", coveringRunOf)};
 }
 
 StudyOutput outputOf(const std::string& name, const OutputJson& json) {
