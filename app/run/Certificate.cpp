@@ -134,10 +134,6 @@ Experiment experimentOf(const std::vector<std::string>& paths, const std::string
   return experiment;
 }
 
-bool isRate(const std::string& key) {
-  return std::find(std::begin(kSuccessKeys), std::end(kSuccessKeys), key) != std::end(kSuccessKeys);
-}
-
 CertifiedArm armOf(const std::string& planner, const std::string& key,
                    const std::vector<const ResultRow*>& rows) {
   statistics::Numbers values;
@@ -151,8 +147,8 @@ CertifiedArm armOf(const std::string& planner, const std::string& key,
   arm.runs = static_cast<int>(values.size());
   arm.mean = statistics::mean(values);
   const auto successes = static_cast<int>(std::count(values.begin(), values.end(), 1.0));
-  arm.interval = isRate(key) ? statistics::wilsonInterval(successes, arm.runs)
-                             : statistics::meanInterval(values);
+  arm.interval = isSuccessKey(key) ? statistics::wilsonInterval(successes, arm.runs)
+                                   : statistics::meanInterval(values);
   return arm;
 }
 

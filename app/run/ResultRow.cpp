@@ -1,5 +1,8 @@
 #include "app/run/ResultRow.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <nlohmann/json.hpp>
 
 #include "metrics/MetricRegistry.h"
@@ -147,6 +150,10 @@ std::optional<double> numberOf(const ResultRow& row, const std::string& column) 
   return *field == kTrue    ? std::optional(1.0)
          : *field == kFalse ? std::optional(0.0)
                             : base::parseDouble(*field);
+}
+
+bool isSuccessKey(const std::string& key) {
+  return std::find(std::begin(kSuccessKeys), std::end(kSuccessKeys), key) != std::end(kSuccessKeys);
 }
 
 bool isUnsuccessful(const ResultRow& row) {

@@ -78,6 +78,7 @@ std::optional<double> numberOf(const ResultRow& row, const std::string& column);
 
 /// Metrics for success; the first one that exists applies.
 constexpr const char* kSuccessKeys[] = {"success", "completed"};
+bool isSuccessKey(const std::string& key);
 /// Whether the run failed or its first robot did not succeed; reports list it as a failure.
 bool isUnsuccessful(const ResultRow& row);
 

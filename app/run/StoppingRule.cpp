@@ -171,10 +171,8 @@ StoppingCheck::StoppingCheck(const Experiment& experiment)
 void StoppingCheck::add(std::size_t run, const ResultRow& row) {
   const StoppingRule& rule = *experiment_.until;
   const std::optional<double> value = numberOf(row, rule.metric);
-  const bool isSuccess = std::any_of(std::begin(kSuccessKeys), std::end(kSuccessKeys),
-                                     [&rule](const char* key) { return rule.metric == key; });
   if (!row.ok) {  // as in reports
-    values_[run] = isSuccess ? 0.0 : statistics::kUndefined;
+    values_[run] = isSuccessKey(rule.metric) ? 0.0 : statistics::kUndefined;
   } else {
     values_[run] =
         value ? std::clamp(*value, rule.range.low, rule.range.high) : statistics::kUndefined;

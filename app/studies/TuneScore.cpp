@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "metrics/MetricRegistry.h"
@@ -71,9 +70,7 @@ TuneOutcome outcomeOf(const ResultRow& row, const std::vector<TuneObjective>& ob
   outcome.simulated = base::parseDouble(row.simulated).value_or(0.0);
   outcome.remaining = std::clamp(numberOf(row, kRemainingKey).value_or(1.0), 0.0, 1.0);
   for (const TuneObjective& objective : objectives) {
-    const bool isRate = std::find(std::begin(kSuccessKeys), std::end(kSuccessKeys),
-                                  objective.key) != std::end(kSuccessKeys);
-    outcome.values.push_back(outcome.isSuccess || isRate
+    outcome.values.push_back(outcome.isSuccess || isSuccessKey(objective.key)
                                  ? numberOf(row, objective.key).value_or(statistics::kUndefined)
                                  : statistics::kUndefined);
   }
