@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/studies/Tuner.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -38,6 +39,11 @@ base::Result<TuneResult> Tuner::run() {
   }
   listCandidates();
   return std::move(result_);
+}
+
+double Tuner::baseNumber(std::size_t parameter) const {
+  return base::parseDouble(base_[parameter])
+      .value_or(subject_.parameters()[parameter].presentNumber);
 }
 
 TuneRuns Tuner::newRuns(std::size_t count) {

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "app/studies/Tuner.h"
-#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -52,7 +51,7 @@ std::vector<TunedValues> Tuner::defaultCandidates() const {
   TunedValues all = base_;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const TunedParameter& parameter = subject_.parameters()[k];
-    const double now = base::parseDouble(base_[k]).value_or(parameter.presentNumber);
+    const double now = baseNumber(k);
     if (parameter.fallback && *parameter.fallback != now &&
         *parameter.fallback >= parameter.range.low && *parameter.fallback <= parameter.range.high) {
       all[k] = parameter.textOf(*parameter.fallback);
@@ -69,8 +68,7 @@ std::vector<TunedValues> Tuner::rangeCandidates() const {
   std::vector<TunedValues> candidates;
   for (std::size_t k = 0; k < base_.size(); ++k) {
     const TunedParameter& parameter = subject_.parameters()[k];
-    std::vector<double> shares = {
-        parameter.shareOf(base::parseDouble(base_[k]).value_or(parameter.presentNumber))};
+    std::vector<double> shares = {parameter.shareOf(baseNumber(k))};
     if (parameter.fallback) {
       shares.push_back(parameter.shareOf(*parameter.fallback));
     }

@@ -1,5 +1,4 @@
 #include "app/studies/Tuner.h"
-#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -22,9 +21,7 @@ base::Diagnostics Tuner::search() {
   result_.varied = varied_;
   RestartedCmaEs::Options of;
   for (const std::size_t k : varied_) {
-    const TunedParameter& parameter = subject_.parameters()[k];
-    of.start.push_back(
-        parameter.shareOf(base::parseDouble(base_[k]).value_or(parameter.presentNumber)));
+    of.start.push_back(subject_.parameters()[k].shareOf(baseNumber(k)));
   }
   of.sigma = kFirstSigma;
   of.population = options_.population;

@@ -55,6 +55,8 @@ class Tuner {
   std::size_t mostChanges() const {
     return std::min(subject_.parameters().size(), static_cast<std::size_t>(options_.maxChanges));
   }
+  /// The value of a parameter in the base.
+  double baseNumber(std::size_t parameter) const;
   /// Runs that no candidate has had yet, so that the search does not adapt to single seeds.
   TuneRuns newRuns(std::size_t count);
   void show(const std::string& stage) const;
