@@ -78,12 +78,17 @@ std::vector<Cell> contactRow(const Study& study, const ContactReport& report,
           command ? commandCell(*command) : Cell{"–"}};
 }
 
-std::size_t contactCount(const std::vector<ContactReport>& reports) {
-  std::size_t count = 0;
-  for (const ContactReport& report : reports) {
-    count += report.contacts.size();
+/// Adds a table of which the page shows only the first rows if there are too many.
+void addLongTable(const Table& table, const std::string& htmlClass, PageParts& parts) {
+  Table shown = table;
+  if (table.rows.size() > kMostContactRows) {
+    shown.rows.resize(kMostContactRows);
+    shown.caption += " The first " + std::to_string(kMostContactRows) + " of " +
+                     std::to_string(table.rows.size()) + "; tables/" + table.name +
+                     ".csv contains all.";
   }
-  return count;
+  parts.body += tableHtml(shown, htmlClass);
+  parts.report.tables.push_back(table);
 }
 
 /// Means over runs of what the robots cost a person.
@@ -126,14 +131,14 @@ Cell meanCell(double value) {
 
 }  // namespace
 
-Table contactsTable(const Study& study, std::size_t most) {
+Table contactsTable(const Study& study) {
   Table table;
   table.name = "contacts";
   table.caption =
       "Contacts of robots with people. Could avoid: who had an action within the limits of its "
-      "body "
-      "that would have avoided the contact, at or after the first sight of the other. Until: the "
-      "last instant of such an action. Needed: people without whom the contact does not happen.";
+      "body that would have avoided the contact, at or after the first sight of the other. Until: "
+      "the last instant of such an action. Needed: people without whom the contact does not "
+      "happen.";
   table.columns = {{"Run", {}, true},
                    {"Scenario", {}, false},
                    {"Seed", {}, true},
@@ -150,15 +155,13 @@ Table contactsTable(const Study& study, std::size_t most) {
                    {"Play", {}, false}};
   for (const ContactReport& report : *study.contacts) {
     for (const ReportedContact& reported : report.contacts) {
-      if (table.rows.size() < most) {
-        table.rows.push_back(contactRow(study, report, reported));
-      }
+      table.rows.push_back(contactRow(study, report, reported));
     }
   }
   return table;
 }
 
-std::optional<Table> contactPeopleTable(const Study& study, std::size_t most) {
+std::optional<Table> contactPeopleTable(const Study& study) {
   const std::map<PersonKey, PersonCost> costs = personCosts(*study.contacts);
   if (costs.empty()) {
     return std::nullopt;
@@ -170,12 +173,12 @@ std::optional<Table> contactPeopleTable(const Study& study, std::size_t most) {
   };
   std::stable_sort(rows.begin(), rows.end(),
                    [&](const auto& a, const auto& b) { return rank(a.second) > rank(b.second); });
-  rows.resize(std::min(rows.size(), most));
   Table table;
   table.name = "contact_people";
   table.caption =
       "What the robots cost each person, as means over runs: the same run without robots is the "
-      "reference. Slowed: time in which the person was slower by more than 0.1 m/s.";
+      "reference. Slowed: time in which the person was slower by more than 0.1 m/s. Contacts are "
+      "counted over all these runs.";
   table.columns = {{"Planner", {}, false}, {"Scenario", {}, false}, {"Person", {}, false},
                    {"Runs", {}, true},     {"Contacts", {}, true},  {"Delay", "s", true},
                    {"Detour", "m", true},  {"Slowed", "s", true}};
@@ -229,24 +232,16 @@ void addContactsSection(const Study& study, PageParts& parts) {
   if (!study.contacts) {
     return;
   }
-  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   parts.section("contacts", "Contacts");
-  const std::size_t count = contactCount(*study.contacts);
-  if (count == 0) {
+  const Table contacts = contactsTable(study);
+  if (contacts.rows.empty()) {
     parts.body += paragraph("No run has a contact of a robot with a person.");
   } else {
-    Table shown = contactsTable(study, kMostContactRows);
-    shown.caption += count > kMostContactRows
-                         ? " The first " + std::to_string(kMostContactRows) + " of " +
-                               std::to_string(count) + "; tables/contacts.csv contains all."
-                         : std::string();
-    parts.body += tableHtml(shown, "failures");
-    parts.report.tables.push_back(contactsTable(study, kAll));
+    addLongTable(contacts, "failures", parts);
   }
   parts.add(contactPlannersTable(study));
-  if (const std::optional<Table> people = contactPeopleTable(study, kMostContactRows)) {
-    parts.body += tableHtml(*people);
-    parts.report.tables.push_back(*contactPeopleTable(study, kAll));
+  if (const std::optional<Table> people = contactPeopleTable(study)) {
+    addLongTable(*people, {}, parts);
   }
   parts.report.moreTables.emplace_back("contact_people_runs", app::peopleCsv(*study.contacts));
   for (const ContactReport& report : *study.contacts) {
