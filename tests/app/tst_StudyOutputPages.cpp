@@ -150,7 +150,10 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     // One scale for the metric in all scenarios: the largest end of an interval is 8.
     QCOMPARE(numbersOf(evaluation, 1, 4, app::kIntervalRole),
              (std::vector<double>{-4.0, -2.0, 1.0, -8.0, 8.0, 0.0}));
-    QCOMPARE(cell(evaluation, 3, 0), text("hall"));
+    for (int row = 3; row < evaluation.rowCount(); ++row) {
+      QCOMPARE(cell(evaluation, row, 0), text("hall"));
+      QCOMPARE(evaluation.item(row, 0)->toolTip(), text("/somewhere/hall.yaml"));
+    }
     const QTableWidget& parameters = table("Parameters");
     QCOMPARE(parameters.rowCount(), 3);
     QCOMPARE(cell(parameters, 0, 3), text("0.9"));  // tried, and not in the file

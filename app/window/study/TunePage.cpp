@@ -149,6 +149,7 @@ class TunePage : public OutputPage {
 
   void addEvaluation(QTableWidget& table, const TuneOutput::Evaluation& of) {
     const QString scenario = of.scenario.empty() ? tr("All") : scenarioTitle(of.scenario);
+    const int first = table.rowCount();
     const double successReach = commonReach(
         output_.evaluations,
         [](const TuneOutput::Evaluation& each) -> const TuneDifference& { return each.success; });
@@ -157,7 +158,9 @@ class TunePage : public OutputPage {
       addDifference(table, scenario, outputMetricTitle(output_.objectives[k]), of.objectives[k],
                     false, objectiveReach(output_.evaluations, k));
     }
-    table.item(table.rowCount() - 1, 0)->setToolTip(QString::fromStdString(of.scenario));
+    for (int row = first; row < table.rowCount(); ++row) {
+      table.item(row, 0)->setToolTip(QString::fromStdString(of.scenario));
+    }
   }
 
   static void addDifference(QTableWidget& table, const QString& scenario, const QString& metric,
