@@ -7731,10 +7731,6 @@ El valor mínimo es el alto que el mapa necesita</translation>
         <translation>de %1 a %2</translation>
     </message>
     <message>
-        <source>Confidence interval: %1 to %2</source>
-        <translation>Intervalo de confianza: de %1 a %2</translation>
-    </message>
-    <message>
         <source>%1: μ* %2, σ %3</source>
         <translation>%1: μ* %2, σ %3</translation>
     </message>

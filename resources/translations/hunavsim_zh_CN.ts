@@ -7731,10 +7731,6 @@ The lowest value is the height that the map requires</source>
         <translation>%1 至 %2</translation>
     </message>
     <message>
-        <source>Confidence interval: %1 to %2</source>
-        <translation>置信区间：%1 至 %2</translation>
-    </message>
-    <message>
         <source>%1: μ* %2, σ %3</source>
         <translation>%1：μ* %2，σ %3</translation>
     </message>

@@ -65,18 +65,24 @@ QStringList uncertainties(const SensitivityOutput& output,
   return reasons;
 }
 
-QTableWidgetItem* barCell(double value, const statistics::Interval& interval, double scale,
-                          double dark) {
-  if (std::isnan(value)) {
-    return studyCell(OutputPage::tr("–"), false);
-  }
+/// A value with its confidence interval as the tooltip.
+QTableWidgetItem* estimateCell(double value, const statistics::Interval& interval) {
   QTableWidgetItem* cell = studyCell(outputNumber(value, interval), false);
-  cell->setData(kBarRole, QVariantList{value, interval.low, interval.high, scale, dark});
   if (interval.isDefined()) {
     cell->setToolTip(
         OutputPage::tr("Confidence interval: %1 to %2")
             .arg(outputNumber(interval.low, interval), outputNumber(interval.high, interval)));
   }
+  return cell;
+}
+
+QTableWidgetItem* barCell(double value, const statistics::Interval& interval, double scale,
+                          double dark) {
+  if (std::isnan(value)) {
+    return studyCell(OutputPage::tr("–"), false);
+  }
+  QTableWidgetItem* cell = estimateCell(value, interval);
+  cell->setData(kBarRole, QVariantList{value, interval.low, interval.high, scale, dark});
   return cell;
 }
 
@@ -247,11 +253,7 @@ class SensitivityPage : public OutputPage {
       add(studyCell(outputNumber(factor.deviation), false));
       add(studyCell(QString::number(factor.effects), false));
     } else {
-      QTableWidgetItem* first = studyCell(outputNumber(factor.first, factor.firstInterval), false);
-      first->setToolTip(tr("Confidence interval: %1 to %2")
-                            .arg(outputNumber(factor.firstInterval.low, factor.firstInterval),
-                                 outputNumber(factor.firstInterval.high, factor.firstInterval)));
-      add(first);
+      add(estimateCell(factor.first, factor.firstInterval));
     }
     add(studyCell(std::isnan(factor.orderShare) ? QString() : percentOf(factor.orderShare), false));
   }
