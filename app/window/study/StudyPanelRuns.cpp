@@ -1,4 +1,3 @@
-
 #include "app/run/Batch.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/RunSpec.h"
