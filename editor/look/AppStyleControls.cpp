@@ -34,6 +34,14 @@ void drawBox(QPainter& painter, const QRectF& rect, double radius, const QBrush&
   painter.drawRoundedRect(rect, radius, radius);
 }
 
+/// Inset of the first column of a list or table [px].
+int firstColumnInset(const QWidget* widget) {
+  if (qobject_cast<const QTableView*>(widget) != nullptr) {
+    return kTableInset;
+  }
+  return qobject_cast<const QListView*>(widget) != nullptr ? kListInset : 0;
+}
+
 }  // namespace
 
 void AppStyle::drawFieldFrame(QPainter& painter, const QStyleOption& option,
@@ -307,18 +315,6 @@ QPixmap AppStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
                                       const QStyleOption* option) const {
   return mode == QIcon::Selected ? pixmap : QProxyStyle::generatedIconPixmap(mode, pixmap, option);
 }
-
-namespace {
-
-/// Inset of the first column of a list or table.
-int firstColumnInset(const QWidget* widget) {
-  if (qobject_cast<const QTableView*>(widget) != nullptr) {
-    return kTableInset;
-  }
-  return qobject_cast<const QListView*>(widget) != nullptr ? kListInset : 0;
-}
-
-}  // namespace
 
 QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option,
                                const QWidget* widget) const {

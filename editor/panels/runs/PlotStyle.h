@@ -6,9 +6,9 @@ class QwtPlot;
 
 namespace editor {
 
-/// A plot without frames, with thin axes and few labels.
+/// Removes the frames of a plot and gives it thin axes with few labels.
 void useThinAxes(QwtPlot& plot);
-/// The colours and fonts of background and axes.
+/// Sets the colours and fonts of the background and the axes.
 void stylePlot(QwtPlot& plot, const Theme& theme);
 
 }  // namespace editor
