@@ -19,8 +19,8 @@ struct StudyRunOptions {
   double timeLimit = 0.0;  // of a run [s], wall-clock time; 0: none
   bool allowCode = false, resume = false, force = false;
 };
-/// Adds --jobs, --time-limit, --allow-code, --resume and --force. `study`: the name of the command
-/// in the help.
+/// Adds --jobs, --time-limit, --allow-code, --resume and --force. `study`: what the help calls the
+/// study of --resume: "search".
 void addStudyRunOptions(CLI::App& command, StudyRunOptions& options, const std::string& study);
 
 /// The pool of a command. `journal`: its file; empty: none. The command ends if the journal cannot

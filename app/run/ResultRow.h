@@ -78,7 +78,7 @@ std::optional<double> numberOf(const ResultRow& row, const std::string& column);
 
 /// Metrics for success; the first one that exists applies.
 constexpr const char* kSuccessKeys[] = {"success", "completed"};
-bool isSuccessKey(const std::string& key);
+bool isSuccessKey(const std::string& key);  // whether it is one of them
 /// Whether the run failed or its first robot did not succeed; reports list it as a failure.
 bool isUnsuccessful(const ResultRow& row);
 

@@ -45,8 +45,9 @@ base::Result<SearchStudy> runSearchStudy(const Experiment& experiment, const Sea
 /// and no world may exist in this process.
 ContactJudge avoidabilityJudge(const sim2d::ImageLoader& loader, std::function<bool()> wantsStop);
 
-/// The command line of a run of the search: in the window, or without it.
+/// What a command does with a run: show it in the window, or execute it without the window.
 enum class RunUse { Play, Run };
+/// The command line that repeats a run of the search, with its number in SearchResult::runs.
 std::string searchedRunCommand(const SearchStudy& study, std::size_t run, RunUse use);
 
 /// archive.json with SearchPlan::covers: trees with what was never reached, and the runs that

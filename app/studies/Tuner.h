@@ -43,7 +43,7 @@ class Tuner {
   base::Result<TuneResult> run();
 
  private:
-  // Tune.cpp: common to all stages.
+  // Tune.cpp: used by several stages.
   /// Runs of a candidate that stays to the end of a race.
   std::size_t searchRuns() const {
     return options_.scenarios.size() * static_cast<std::size_t>(options_.seeds);
