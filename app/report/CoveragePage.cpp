@@ -189,8 +189,8 @@ std::string coverageLead(const SearchStudy& study) {
 constexpr const char* kCoverageMethods =
     "Candidates: CMA-ES with restarts (Hansen, arXiv:1604.00772) and the improvement emitter of "
     "CMA-ME (Fontaine et al. 2020, arXiv:1912.02400) over the continuous values; lists and seeds "
-    "change at random. A run is the better, the rarer the nodes are that it executes: each counts "
-    "one by the number of runs so far that have executed it, in trees with unreached nodes. New "
+    "change at random. The fitness of a run is the sum of 1/(number of runs so far that have "
+    "executed the node) over the nodes that it executes, in trees with unreached nodes. New "
     "batches start near runs that reached a node first. coverage.csv contains all nodes; "
     "hunavsim trees FILE --picture tree.svg --coverage DIR draws a tree.";
 
