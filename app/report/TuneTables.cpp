@@ -76,10 +76,10 @@ void addObjectiveColumns(const app::TuneOptions& options, Table& table) {
   }
 }
 
-/// A column per objective, for cells of addChanges().
+/// A column per objective, for cells of addChanges(), which end with "%".
 void addChangeColumns(const app::TuneOptions& options, Table& table) {
   for (const app::TuneObjective& objective : options.objectives) {
-    table.columns.push_back({objective.name, "%"});
+    table.columns.push_back({objective.name, ""});
   }
 }
 
@@ -229,7 +229,7 @@ Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& su
        {"Standard error", ""}},
       {}};
   addChangeColumns(options, table);
-  table.columns.push_back({"Failures", "%"});
+  table.columns.push_back({"Failures", ""});
   for (const app::TuneProbe& probe : result.probes) {
     TuneCell name{subject.parameters()[probe.parameter].label()};
     name.bold = std::find(result.varied.begin(), result.varied.end(), probe.parameter) !=
