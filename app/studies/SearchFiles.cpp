@@ -92,6 +92,34 @@ std::string csvNumber(double value) {
   return std::isfinite(value) ? base::formatDouble(value) : std::string();
 }
 
+/// The columns of runs.csv that depend on the goal of the search.
+void addResultColumns(std::string& text, const SearchPlan& plan) {
+  if (plan.covers) {
+    text += ",fitness,new_nodes";
+    return;
+  }
+  text += ",kind,unavoidable,value,fitness";
+  for (const Descriptor& descriptor : plan.descriptors) {
+    addCsvField(text, descriptor.key);
+  }
+}
+
+/// The fields of these columns.
+void addResults(std::string& text, const SearchedRun& run, const SearchPlan& plan) {
+  if (plan.covers) {
+    addCsvField(text, csvNumber(run.fitness));
+    addCsvField(text, std::to_string(run.newNodes));
+    return;
+  }
+  addCsvField(text, run.kind ? run.kind->name() : std::string());
+  addCsvField(text, run.isUnavoidable ? "True" : "");
+  addCsvField(text, csvNumber(run.value));
+  addCsvField(text, csvNumber(run.fitness));
+  for (const double value : run.descriptors) {
+    addCsvField(text, csvNumber(value));
+  }
+}
+
 }  // namespace
 
 std::string searchJson(const SearchStudy& study) {
@@ -117,41 +145,24 @@ std::string searchJson(const SearchStudy& study) {
 }
 
 std::string searchCsv(const SearchStudy& study) {
-  const Experiment& experiment = *study.experiment;
   std::string text = "run,scenario,seed";
-  for (const ExperimentValue& value : experiment.values) {
+  for (const ExperimentValue& value : study.experiment->values) {
     addCsvField(text, value.path);
   }
-  text += study.plan.covers ? ",reason,simulated,fitness,new_nodes"
-                            : ",reason,simulated,kind,unavoidable,value,fitness";
-  for (const Descriptor& descriptor : study.plan.descriptors) {
-    if (!study.plan.covers) {
-      addCsvField(text, descriptor.key);
-    }
-  }
+  text += ",reason,simulated";
+  addResultColumns(text, study.plan);
   text += '\n';
   for (std::size_t k = 0; k < study.result.runs.size(); ++k) {
     const SearchedRun& run = study.result.runs[k];
     text += std::to_string(k);
-    addCsvField(text, experiment.scenarios[study.space->scenarioOf(run.candidate)]);
+    addCsvField(text, study.space->scenarioName(run.candidate));
     addCsvField(text, std::to_string(study.space->seedOf(run.candidate)));
     for (const std::string& value : study.space->textsOf(run.candidate)) {
       addCsvField(text, value);
     }
     addCsvField(text, run.reason);
     addCsvField(text, run.simulated);
-    if (study.plan.covers) {
-      addCsvField(text, csvNumber(run.fitness));
-      text += ',' + std::to_string(run.newNodes) + '\n';
-      continue;
-    }
-    addCsvField(text, run.kind ? run.kind->name() : std::string());
-    addCsvField(text, run.isUnavoidable ? "True" : "");
-    addCsvField(text, csvNumber(run.value));
-    addCsvField(text, csvNumber(run.fitness));
-    for (const double value : run.descriptors) {
-      addCsvField(text, csvNumber(value));
-    }
+    addResults(text, run, study.plan);
     text += '\n';
   }
   return text;
