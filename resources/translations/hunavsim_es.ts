@@ -5769,8 +5769,8 @@ Elegir qué muestra el mapa</translation>
         <translation>Árbol</translation>
     </message>
     <message>
-        <source>Of</source>
-        <translation>De</translation>
+        <source>Used by</source>
+        <translation>Usado por</translation>
     </message>
     <message>
         <source>Scenarios</source>
@@ -8477,10 +8477,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Parameters</source>
         <translation>Parámetros</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Frente</translation>
     </message>
     <message>
         <source>Changes</source>

@@ -5769,8 +5769,8 @@ Choose what the map shows</source>
         <translation>行为树</translation>
     </message>
     <message>
-        <source>Of</source>
-        <translation>所属</translation>
+        <source>Used by</source>
+        <translation>使用者</translation>
     </message>
     <message>
         <source>Scenarios</source>
@@ -8477,10 +8477,6 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Parameters</source>
         <translation>参数</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>前沿</translation>
     </message>
     <message>
         <source>Changes</source>

@@ -22,7 +22,7 @@ class CoverPage : public OutputPage {
  private:
   QWidget* makeTrees() {
     QTableWidget* table = studyList(tr("Trees"),
-                                    {tr("Tree"), tr("Of"), tr("Scenarios"), tr("Runs"),
+                                    {tr("Tree"), tr("Used by"), tr("Scenarios"), tr("Runs"),
                                      tr("Reached nodes"), tr("Never reached"), tr("Unreachable")},
                                     {1, 2});
     table->setRowCount(static_cast<int>(output_.trees.size()));
@@ -56,7 +56,7 @@ class CoverPage : public OutputPage {
 
   QWidget* makeNeverReached() {
     QTableWidget* table =
-        studyList(tr("Never reached"), {tr("Tree"), tr("Of"), tr("Node")}, {1, 2});
+        studyList(tr("Never reached"), {tr("Tree"), tr("Used by"), tr("Node")}, {1, 2});
     for (const CoverOutput::Tree& tree : output_.trees) {
       for (const std::string& node : tree.neverReached) {
         const int row = table->rowCount();

@@ -115,7 +115,7 @@ class TunePage : public OutputPage {
   TunePage(const TuneOutput& output, const OutputPlace& place) : output_(output), place_(place) {
     addPage(tr("Evaluation"), makeEvaluation());
     addPage(tr("Parameters"), makeParameters());
-    addPage(tr("Front"), makeFront());
+    addPage(tr("Pareto front"), makeFront());
     addPage(tr("Changes"), makeChanges());
   }
 
