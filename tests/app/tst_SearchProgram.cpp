@@ -214,12 +214,15 @@ class SearchProgramTest : public QObject {
   }
 
   void cover_anyJobs_givesEqualBytes() {
-    const QString two = at("two_jobs");
-    QCOMPARE(cover(two, "--runs 24 --jobs 1").exitCode, 0);
+    const QString one = at("one_job"), two = at("covered");
+    QCOMPARE(cover(one, "--runs 24 --jobs 1").exitCode, 0);
+    if (!QFile::exists(two)) {  // this test runs alone
+      QCOMPARE(cover(two, "--runs 24 --jobs 2").exitCode, 0);
+    }
     for (const char* name : {"/archive.json", "/coverage.csv", "/tree_coverage.csv", "/runs.csv"}) {
-      const QByteArray bytes = bytesOf(two + text(name));
+      const QByteArray bytes = bytesOf(one + text(name));
       QVERIFY(bytes.size() > 50);
-      QVERIFY2(bytes == bytesOf(at("covered") + text(name)), name);
+      QVERIFY2(bytes == bytesOf(two + text(name)), name);
     }
   }
 
