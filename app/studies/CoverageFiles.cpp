@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studies/SearchFields.h"
 #include "app/studies/SearchStudy.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/Csv.h"
 
 // Files of a search that covers behaviour trees.
 namespace app {
@@ -55,27 +55,12 @@ CoverageJson foundJson(const SearchStudy& study, std::size_t run) {
 }
 
 CoverageJson coveringRunJson(const SearchStudy& study, std::size_t number) {
-  const SearchedRun& run = study.result.runs[number];
-  CoverageJson values = CoverageJson::object();
-  const std::vector<std::string> texts = study.space->textsOf(run.candidate);
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    values[study.experiment->values[k].path] = texts[k];
-  }
-  return {{"run", number},
-          {"scenario", study.space->scenarioName(run.candidate)},
-          {"seed", study.space->seedOf(run.candidate)},
-          {"values", values},
-          {"reason", run.reason},
-          {"simulated", run.simulated},
-          {"new_nodes", run.newNodes},
-          {"nodes", foundJson(study, number)},
-          {"play", searchedRunCommand(study, number, RunUse::Play)},
-          {"command", searchedRunCommand(study, number, RunUse::Run)}};
-}
-
-void addField(std::string& line, const std::string& field) {
-  line += ',';
-  sim2d::appendCsvField(line, field);
+  CoverageJson json = searchedRunJson<CoverageJson>(study, number);
+  json["new_nodes"] = study.result.runs[number].newNodes;
+  json["nodes"] = foundJson(study, number);
+  json["play"] = searchedRunCommand(study, number, RunUse::Play);
+  json["command"] = searchedRunCommand(study, number, RunUse::Run);
+  return json;
 }
 
 }  // namespace
@@ -128,14 +113,14 @@ std::string coverageCsv(const SearchStudy& study) {
     for (std::size_t node = 0; node < tree.firstRuns.size(); ++node) {
       const std::optional<std::size_t> first = tree.firstRuns[node];
       text += std::to_string(k + 1);
-      addField(text, tree.counts.owners);
-      addField(text, base::join(tree.scenarios, "; "));
-      addField(text, std::to_string(tree.counts.runs));
-      addField(text, tree.counts.nodes[node].path);
-      addField(text, stateName(tree, node));
-      addField(text, std::to_string(tree.counts.nodes[node].executed));
-      addField(text, first ? std::to_string(*first) : std::string());
-      addField(text, first ? searchedRunCommand(study, *first, RunUse::Run) : std::string());
+      addCsvField(text, tree.counts.owners);
+      addCsvField(text, base::join(tree.scenarios, "; "));
+      addCsvField(text, std::to_string(tree.counts.runs));
+      addCsvField(text, tree.counts.nodes[node].path);
+      addCsvField(text, stateName(tree, node));
+      addCsvField(text, std::to_string(tree.counts.nodes[node].executed));
+      addCsvField(text, first ? std::to_string(*first) : std::string());
+      addCsvField(text, first ? searchedRunCommand(study, *first, RunUse::Run) : std::string());
       text += '\n';
     }
   }

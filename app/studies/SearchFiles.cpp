@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studies/SearchFields.h"
 #include "app/studies/SearchStudy.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/Csv.h"
 
 namespace app {
 
@@ -13,23 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where a run of the search comes from.
+/// A run of the search with what it means for the search.
 Json runJson(const SearchStudy& study, std::size_t number) {
   const SearchedRun& run = study.result.runs[number];
-  Json values = Json::object();
-  const std::vector<std::string> texts = study.space->textsOf(run.candidate);
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    values[study.experiment->values[k].path] = texts[k];
-  }
-  return {{"run", number},
-          {"scenario", study.experiment->scenarios[study.space->scenarioOf(run.candidate)]},
-          {"seed", study.space->seedOf(run.candidate)},
-          {"values", values},
-          {"reason", run.reason},
-          {"simulated", run.simulated},
-          {"kind", run.kind ? Json(run.kind->name()) : Json()},
-          {"value", base::jsonNumber<Json>(run.value)},
-          {"fitness", base::jsonNumber<Json>(run.fitness)}};
+  Json json = searchedRunJson<Json>(study, number);
+  json["kind"] = run.kind ? Json(run.kind->name()) : Json();
+  json["value"] = base::jsonNumber<Json>(run.value);
+  json["fitness"] = base::jsonNumber<Json>(run.fitness);
+  return json;
 }
 
 Json cellsJson(const SearchStudy& study) {
@@ -81,11 +72,6 @@ Json worstJson(const SearchStudy& study) {
   worst["file"] = study.worst->file;
   worst["repeated"] = study.worst->isRepeated;
   return worst;
-}
-
-void addCsvField(std::string& line, const std::string& field) {
-  line += ',';
-  sim2d::appendCsvField(line, field);
 }
 
 std::string csvNumber(double value) {

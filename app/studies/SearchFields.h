@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/studies/SearchStudy.h"
+#include "sim2d/trace/Csv.h"
+
+/// What the files of all goals of a search have in common.
+namespace app {
+
+/// Where a run of the search comes from, and how it ended.
+template <class Json>
+Json searchedRunJson(const SearchStudy& study, std::size_t number) {
+  const SearchedRun& run = study.result.runs[number];
+  Json values = Json::object();
+  const std::vector<std::string> texts = study.space->textsOf(run.candidate);
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    values[study.experiment->values[k].path] = texts[k];
+  }
+  return {{"run", number},
+          {"scenario", study.space->scenarioName(run.candidate)},
+          {"seed", study.space->seedOf(run.candidate)},
+          {"values", values},
+          {"reason", run.reason},
+          {"simulated", run.simulated}};
+}
+
+/// Adds a comma and the field.
+inline void addCsvField(std::string& line, const std::string& field) {
+  line += ',';
+  sim2d::appendCsvField(line, field);
+}
+
+}  // namespace app
