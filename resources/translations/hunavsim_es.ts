@@ -6877,6 +6877,10 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
         <source>Nodes that cannot be reached: %1</source>
         <translation>Nodos que no se pueden alcanzar: %1</translation>
     </message>
+    <message>
+        <source>Nothing tried: the limit of runs (--runs) is too small</source>
+        <translation>No se ha probado nada: el límite de ejecuciones (--runs) es demasiado bajo</translation>
+    </message>
 </context>
 <context>
     <name>app::PlotExport</name>

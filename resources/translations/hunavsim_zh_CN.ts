@@ -6877,6 +6877,10 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
         <source>Nodes that cannot be reached: %1</source>
         <translation>不可到达的节点：%1</translation>
     </message>
+    <message>
+        <source>Nothing tried: the limit of runs (--runs) is too small</source>
+        <translation>未尝试任何值：运行次数上限（--runs）太小</translation>
+    </message>
 </context>
 <context>
     <name>app::PlotExport</name>

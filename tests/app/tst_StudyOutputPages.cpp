@@ -1,4 +1,5 @@
 #include <QDesktopServices>
+#include <QJsonArray>
 #include <QSignalSpy>
 
 #include "app/window/Docks.h"
@@ -164,6 +165,15 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     auto& diff = quiet::part<QPlainTextEdit>(*panel().outputPage(), "Changes");
     QCOMPARE(diff.toPlainText(), text("--- a\n+++ b\n-x: 1\n+x: 2\n"));
     quiet::shoot(*window_, "output-tune");
+  }
+
+  void tune_withoutCandidates_saysWhy() {
+    QJsonObject tune = QJsonDocument::fromJson(kTuneOutput).object();
+    tune[text("verdict")] = text("no candidate");
+    tune[text("evaluation")] = QJsonValue();
+    tune[text("candidates")] = QJsonArray{tune[text("candidates")].toArray().first()};
+    open("tune", "tune.json", QJsonDocument(tune).toJson());
+    QCOMPARE(panel().message(), text("Nothing tried: the limit of runs (--runs) is too small"));
   }
 
   /// Points and rows select each other. Changes: +25 and -50 %, -25 and -12.5 %.

@@ -369,6 +369,9 @@ QString tuneHeadline(const report::TuneOutput& output) {
     case TuneVerdict::NoCandidate:
       break;
   }
+  if (output.tried == 0) {
+    return OutputPage::tr("Nothing tried: the limit of runs (--runs) is too small");
+  }
   return OutputPage::tr(
              "No improvement found: none of %1 candidates was better than the present "
              "values")
