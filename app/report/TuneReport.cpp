@@ -57,8 +57,8 @@ std::string tuneHeadline(const app::TuneOptions& options, const app::TuneResult&
            counted(static_cast<std::size_t>(options.seeds), "seed") +
            " each: raise --runs, or take fewer scenarios, --seeds or --max-changes";
   }
-  return "NO IMPROVEMENT FOUND: none of " + std::to_string(result.candidates.size() - 1) +
-         " candidates was better than the present values";
+  return "NO IMPROVEMENT FOUND: none of " + counted(result.candidates.size() - 1, "candidate") +
+         " was better than the present values";
 }
 
 std::string tuneMethodText(const app::TuneOptions& options, const app::TuneResult& result) {
