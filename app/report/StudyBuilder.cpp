@@ -6,6 +6,7 @@
 
 #include "app/report/Comparison.h"
 #include "app/report/Study.h"
+#include "app/run/ExperimentValues.h"
 #include "app/run/ResultRow.h"
 #include "sim2d/base/Text.h"
 
@@ -232,6 +233,7 @@ class StudyBuilder {
                                 : column(study_.compared);
     study_.options = distinct(texts);
     study_.optionOf = placesIn(study_.options, texts);
+    study_.options = app::optionLabels(study_.options);
   }
 
   /// Names the cases by the other varied values.

@@ -201,14 +201,12 @@ const sim2d::Robot* firstRobotOf(const sim2d::Scenario& scenario) {
   return base::findBy(scenario.robots, &sim2d::Robot::listed, true);
 }
 
-/// Whether one of the texts of a value is the map of a whole robot with this key.
-bool isInMap(const ExperimentValue& value, const sim2d::Scenario& scenario, const char* key) {
+/// Whether one of the texts of a value is a map with this key.
+bool isInMap(const ExperimentValue& value, const char* key) {
   return std::any_of(value.texts.begin(), value.texts.end(), [&](const std::string& text) {
-    sim2d::Scenario changed = scenario;
-    const bool isTaken = !base::hasErrors(sim2d::setValue(changed, value.path, text));
-    const sim2d::Robot* const robot = firstRobotOf(changed);
-    return isTaken && robot != nullptr &&
-           sim2d::fieldOf<sim2d::Robot>(key)->value(*robot) != base::ParameterValue();
+    base::Diagnostics ignored;
+    const YamlNode node = base::parseYaml(text, {}, ignored);
+    return node.isMap() && node.find(key) != nullptr;
   });
 }
 
@@ -221,7 +219,7 @@ bool isSetBy(const RunOption& option, const ExperimentValue& value,
   const sim2d::Robot* const robot = firstRobotOf(scenario);
   return option.robotSetting != nullptr && robot != nullptr &&
          (value.path == robot->name + "." + option.robotSetting ||
-          (value.path == robot->name && isInMap(value, scenario, option.robotSetting)));
+          (value.path == robot->name && isInMap(value, option.robotSetting)));
 }
 
 /// Tries the values one after the other, and says what is wrong with them.

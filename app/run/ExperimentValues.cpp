@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "app/run/Design.h"
@@ -293,6 +294,46 @@ std::string experimentValueText(const ExperimentValue& value) {
       return "{choice: " + list + "}";
   }
   return list;
+}
+
+namespace {
+
+/// Files without folder and extension; the items of a list joined by plus signs.
+std::string wordInLabel(const YamlNode& node) {
+  if (node.isList()) {
+    std::vector<std::string> words;
+    std::transform(node.items.begin(), node.items.end(), std::back_inserter(words), wordInLabel);
+    return base::join(words, " + ");
+  }
+  if (!node.isScalar()) {
+    return valueText(node);
+  }
+  const std::filesystem::path path(node.text);
+  return (path.extension() == ".yaml" ? path.stem() : path.filename()).string();
+}
+
+std::string optionLabel(const std::string& text) {
+  if (text.empty() || text.front() != '{') {
+    return text;
+  }
+  base::Diagnostics problems;
+  const YamlNode map = base::parseYaml(text, {}, problems);
+  if (!problems.empty() || !map.isMap()) {
+    return text;
+  }
+  std::vector<std::string> words;
+  std::transform(map.items.begin(), map.items.end(), std::back_inserter(words), wordInLabel);
+  return base::join(words, ", ");
+}
+
+}  // namespace
+
+std::vector<std::string> optionLabels(const std::vector<std::string>& texts) {
+  std::vector<std::string> labels;
+  labels.reserve(texts.size());
+  std::transform(texts.begin(), texts.end(), std::back_inserter(labels), optionLabel);
+  const std::set<std::string> different(labels.begin(), labels.end());
+  return different.size() == labels.size() ? labels : texts;
 }
 
 base::Diagnostic located(const YamlNode& node, base::Diagnostic problem) {

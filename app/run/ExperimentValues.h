@@ -45,6 +45,11 @@ base::Result<ExperimentValue> readExperimentValue(const base::YamlNode& node);
 /// The text of a value in `values`: "[pursuit, dwa]", "{uniform: [0.0, 1.0]}".
 std::string experimentValueText(const ExperimentValue& value);
 
+/// The labels of the texts of a value in tables and figures. A map is labelled with its values,
+/// files without folder and extension: "{planner: nav2, nav2_params: ../a.yaml}" becomes "nav2, a".
+/// Other texts are their own labels, and so are all of them if two labels would be equal.
+std::vector<std::string> optionLabels(const std::vector<std::string>& texts);
+
 /// The problem with the line and column of a node.
 base::Diagnostic located(const base::YamlNode& node, base::Diagnostic problem);
 

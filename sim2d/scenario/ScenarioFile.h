@@ -65,6 +65,7 @@ std::vector<GlobalGoal> unusedGoals(const Scenario& scenario);
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses);
 
 /// `--set PATH=VALUE` (FORMAT.md): dotted keys below ros__parameters; `*` means every listed agent.
+/// A map as the value of a whole entity sets each of its keys and leaves the others as they are.
 base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
                            const FieldTables& tables = fieldTables());
 

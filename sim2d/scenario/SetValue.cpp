@@ -9,6 +9,14 @@ namespace {
 
 using KeyPath = std::vector<std::string>;
 
+/// A value, the keys that lead to it and the path as the user wrote it.
+struct Setting {
+  KeyPath keys;
+  std::string path;
+  YamlNode value;
+  bool isLoader = false;  // a key of hunav_loader
+};
+
 constexpr const char* kNav2Word = "nav2";  // the planner, and the key of its values
 
 /// Expands a path: `*` to each listed agent, a leading `nav2` to that key of each listed robot with
@@ -33,6 +41,43 @@ std::vector<KeyPath> expandedPaths(const Scenario& scenario, const std::string& 
     all.back().front() = human.name;
   });
   return all;
+}
+
+bool isNamed(const GlobalGoal& /*goal*/, const std::string& /*name*/) {
+  return false;
+}
+bool isNamed(const NamedEntity& entity, const std::string& name) {
+  return entity.name == name;
+}
+
+bool isEntity(const Scenario& scenario, const std::string& name) {
+  bool isFound = false;
+  forEachList(scenario, [&](base::EntityKind /*kind*/, const auto& list) {
+    isFound = isFound || std::any_of(list.begin(), list.end(),
+                                     [&](const auto& each) { return isNamed(each, name); });
+  });
+  return isFound;
+}
+
+/// One setting per path, or per key of a map that is given for a whole entity.
+std::vector<Setting> settingsOf(const Scenario& scenario, const std::string& path,
+                                const YamlNode& value) {
+  std::vector<Setting> settings;
+  for (const KeyPath& keys : expandedPaths(scenario, path)) {
+    const bool isLoader =
+        loaderKeys().count(keys.front()) != 0 || scenario.human(keys.front()) != nullptr;
+    if (keys.size() > 1 || !value.isMap() || !isEntity(scenario, keys.front())) {
+      settings.push_back({keys, path, value, isLoader});
+      continue;
+    }
+    for (const YamlNode& item : value.items) {
+      Setting setting{keys, path + "." + item.key, item, isLoader};
+      const KeyPath below = base::split(item.key, '.');
+      setting.keys.insert(setting.keys.end(), below.begin(), below.end());
+      settings.push_back(std::move(setting));
+    }
+  }
+  return settings;
 }
 
 /// The diagnostics of `after` that `before` does not have.
@@ -95,26 +140,51 @@ bool isNumberedType(const std::string& path, const YamlNode& value) {
          (!value.isScalar() || base::parseDouble(value.text));
 }
 
-/// Reads the tree with the value set in one of the nodes; none if the node has no such key.
-std::optional<TreeReading> readWith(YamlNode tree, bool isLoader, const std::vector<KeyPath>& paths,
-                                    const YamlNode& value, const FieldTables& tables) {
-  YamlNode& node = tree.child(isLoader ? kLoaderNode : kDesktopNode).child(kParameters);
-  if (!isLoader && node.find("format") == nullptr) {
-    setChild(node, "format", number(kDesktopFormat));
-  }
-  for (const KeyPath& path : paths) {
-    YamlNode* at = &node;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      at = &at->child(path[i]);
+TreeReading readWith(YamlNode tree, const std::vector<Setting>& settings,
+                     const FieldTables& tables) {
+  for (const Setting& setting : settings) {
+    YamlNode& node = tree.child(setting.isLoader ? kLoaderNode : kDesktopNode).child(kParameters);
+    if (!setting.isLoader && node.find("format") == nullptr) {
+      setChild(node, "format", number(kDesktopFormat));
     }
-    setChild(*at, path.back(), value);
+    YamlNode* at = &node;
+    for (std::size_t i = 0; i + 1 < setting.keys.size(); ++i) {
+      at = &at->child(setting.keys[i]);
+    }
+    setChild(*at, setting.keys.back(), setting.value);
   }
-  TreeReading reading = readTree(tree, {}, tables);
-  const std::set<std::string>& known = isLoader ? reading.loaderPaths : reading.desktopPaths;
-  const bool isKnown = std::all_of(paths.begin(), paths.end(), [&](const KeyPath& path) {
-    return known.count(base::join(path, ".")) != 0;
-  });
-  return isKnown ? std::make_optional(std::move(reading)) : std::nullopt;
+  return readTree(tree, {}, tables);
+}
+
+bool isKnown(const Setting& setting, const TreeReading& reading) {
+  const std::set<std::string>& known =
+      setting.isLoader ? reading.loaderPaths : reading.desktopPaths;
+  return known.count(base::join(setting.keys, ".")) != 0;
+}
+
+/// Reads the tree with the settings; those whose key hunav_loader does not have are of our block.
+TreeReading readWithSettings(const YamlNode& tree, std::vector<Setting>& settings,
+                             const FieldTables& tables) {
+  TreeReading reading = readWith(tree, settings, tables);
+  bool isMoved = false;
+  for (Setting& setting : settings) {
+    if (setting.isLoader && !isKnown(setting, reading)) {
+      setting.isLoader = false;
+      isMoved = true;
+    }
+  }
+  return isMoved ? readWith(tree, settings, tables) : reading;
+}
+
+base::Diagnostics errorOfValue(const std::string& path, const std::string& value,
+                               const YamlNode& node) {
+  if (node.isNull() || (node.isMap() && node.items.empty())) {
+    return {base::withContext(path, base::error("set.no-value", {value}))};
+  }
+  if (isNumberedType(path, node)) {
+    return {base::withContext(path, base::error("set.no-behavior", {value}))};
+  }
+  return {};
 }
 
 }  // namespace
@@ -123,35 +193,37 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
                            const FieldTables& tables) {
   base::Diagnostics problems;
   YamlNode node = parseYaml(value, {}, problems);
-  if (base::hasErrors(problems) || node.isNull()) {
+  if (base::hasErrors(problems)) {
     return {base::withContext(path, base::error("set.no-value", {value}))};
   }
   node.line = node.column = 0;
-  if (isNumberedType(path, node)) {
-    return {base::withContext(path, base::error("set.no-behavior", {value}))};
-  }
-  const YamlNode tree = fileTree(scenario, tables);
-  const TreeReading before = readTree(tree, {}, tables);
-  const std::vector<KeyPath> paths = expandedPaths(scenario, path);
-  if (paths.empty()) {
+  problems = errorOfValue(path, value, node);
+  std::vector<Setting> settings = settingsOf(scenario, path, node);
+  if (problems.empty() && settings.empty()) {
     const bool isNav2 = base::split(path, '.').front() == kNav2Word;
     return {base::withContext(path, base::error(isNav2 ? "set.no-nav2" : "set.nobody"))};
   }
-  const std::string& first = paths.front().front();
-  std::optional<TreeReading> after;
-  if (loaderKeys().count(first) != 0 || scenario.human(first) != nullptr) {
-    after = readWith(tree, true, paths, node, tables);
+  for (Setting& setting : settings) {
+    if (setting.path != path) {
+      setting.value.line = setting.value.column = 0;
+      base::append(problems, errorOfValue(setting.path, setting.value.text, setting.value));
+    }
   }
-  if (!after) {
-    after = readWith(tree, false, paths, node, tables);
+  if (!problems.empty()) {
+    return problems;
   }
-  if (!after) {
-    return unknownPath(path, before);
+  const YamlNode tree = fileTree(scenario, tables);
+  const TreeReading before = readTree(tree, {}, tables);
+  TreeReading after = readWithSettings(tree, settings, tables);
+  for (const Setting& setting : settings) {
+    if (!isKnown(setting, after)) {
+      return unknownPath(setting.path, before);
+    }
   }
-  base::Diagnostics result = newDiagnostics(before.file.diagnostics, after->file.diagnostics);
+  base::Diagnostics result = newDiagnostics(before.file.diagnostics, after.file.diagnostics);
   if (!base::hasErrors(result)) {
-    restoreEntityKeys(after->file.scenario, scenario);
-    scenario = std::move(after->file.scenario);
+    restoreEntityKeys(after.file.scenario, scenario);
+    scenario = std::move(after.file.scenario);
   }
   return result;
 }

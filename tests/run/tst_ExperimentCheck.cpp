@@ -135,6 +135,8 @@ class ExperimentCheckTest : public QObject {
          {"planner: orca\nvalues:\n  robot2.planner: [pursuit, dwa]\n",
           "planner: dwa\nvalues:\n  robot1.type: [generic, pmb2]\n",
           "planner: dwa\nvalues:\n  robot1: [{start: {x: 1.0, y: 1.0}, goal: {x: 3.0, y: 3.0}}]\n",
+          "planner: dwa\nvalues:\n  robot1: [{max_vel: 0.5}, {max_vel: 0.8}]\n",
+          "values:\n  robot1: [{planner: dwa}, {planner: orca, max_vel: 0.5}]\n",
           "model: sfm\nvalues:\n  anna.model: [orca]\n",
           "values:\n  robot1.planner: [pursuit, dwa]\n  duration: [4.0]\n  model: [sfm, orca]\n"}) {
       newRow(text) << QByteArray(text);
@@ -196,6 +198,9 @@ class ExperimentCheckTest : public QObject {
     add("  anna.goals: [[1, 2], [2, 7]]\n", {line("4:24 error anna: goal 7 ")});
     add("  robot1.planner: [pursuit, dwa]\n  robot1.planner_parameters: [{lookahead: 1.0}]\n",
         {line("4:29 error robot1.planner_parameters.lookahead: ")});
+    add("  robot1: [{planner: dwa}, {planner: dwaa, max_vel: 0.5}, {mas_vel: 1.0}]\n",
+        {line("4:28 error robot1: planner 'dwaa' is unknown (did you mean 'dwa'?"),
+         line("4:59 error unknown path 'robot1.mas_vel' (did you mean 'robot1.max_vel'?)")});
     add("  robot1.planner: [nav2, dwa, orca]\n  nav2.FollowPath.batch_size: [100]\n",
         {line("4:26 error nav2.FollowPath.batch_size: no robot is driven by planner nav2"),
          line("4:31 error nav2.FollowPath.batch_size: no robot is driven by planner nav2")});

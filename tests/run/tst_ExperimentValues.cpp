@@ -75,6 +75,27 @@ class ExperimentValuesTest : public QObject {
     QVERIFY(!value->isDrawn() || again->numbers == value->numbers);
   }
 
+  void labels_ofMaps_areTheirValues_data() {
+    QTest::addColumn<QString>("yaml");
+    QTest::addColumn<QString>("labels");
+    const auto row = [](const char* yaml, const char* labels) {
+      QTest::newRow(yaml) << QString::fromLatin1(yaml) << QString::fromLatin1(labels);
+    };
+    row("[pursuit, a/b.yaml]", "pursuit|a/b.yaml");
+    row("[{planner: dwa}, {planner: nav2, nav2_params: ../x/rpp.yaml}]", "dwa|nav2, rpp");
+    row("[{nav2_params: [x/rpp.yaml, y.yaml], max_vel: 0.8}]", "rpp + y, 0.8");
+    row("[{start: {x: 1.0, y: 2.0}, mass: 4}]", "{x: 1.0, y: 2.0}, 4");
+    row("[{file: a/p.yaml}, {file: b/p.yaml}]", "{file: a/p.yaml}|{file: b/p.yaml}");
+    row("['{no map']", "{no map");
+  }
+  void labels_ofMaps_areTheirValues() {
+    QFETCH(QString, yaml);
+    QFETCH(QString, labels);
+    const auto value = valueOf("a: " + yaml.toStdString());
+    QVERIFY(bool(value));
+    QCOMPARE(QString::fromStdString(base::join(app::optionLabels(value->texts), "|")), labels);
+  }
+
   void range_steps_areTidy_data() {
     QTest::addColumn<QString>("yaml");
     QTest::addColumn<QString>("texts");

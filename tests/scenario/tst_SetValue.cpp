@@ -41,6 +41,8 @@ class SetValueTest : public QObject {
     row("map_file", "none", "    map_file: none\n");
     row("agents", "[ben, anna]", "    agents:\n      - ben\n      - anna\n    ben:\n");
     row("groups.7", "friends", "      7: friends\n");
+    row("robot1", "{planner: orca}", "      planner: orca\n");
+    row("anna", "{max_vel: 2}", "      max_vel: 2.0\n");
   }
   void setValue_knownPath_changesTheFile() {
     QFETCH(QByteArray, path);
@@ -73,6 +75,12 @@ class SetValueTest : public QObject {
     row("anna.goals", "3", "anna.goals: must be a list of goal numbers");
     row("anna.behavior.type", "4", "anna.behavior.type: '4' is not the name of a behaviour");
     row("global_goals.9.x", "1.0", "global_goals.9.y: is missing");
+    row("robot1", "{planer: dwa}", "unknown path 'robot1.planer' (did you mean 'robot1.planner'?)");
+    row("robot1", "{planner: dwa, radius: wide}", "robot1.radius: 'wide' is not a number");
+    row("robot1", "{planner: ~}", "robot1.planner: '' is not a value");
+    row("robot1", "{}", "robot1: '{}' is not a value");
+    row("*", "{max_vell: 1}", "unknown path '*.max_vell' (did you mean '*.max_vel'?)");
+    row("anna", "{behavior.type: 4}", "anna.behavior.type: '4' is not the name of a behaviour");
     row("robot1.goals", "[1]", "robot1.goals: a robot has either 'goal' or 'goals'");
   }
   void setValue_badPathOrValue_isErrorAndChangesNothing() {
@@ -90,6 +98,29 @@ class SetValueTest : public QObject {
     Scenario scenario = readScenario(dataFile("dialect_b.yaml")).scenario;
     QVERIFY(setValue(scenario, "*.max_vel", "0.5").empty());
     QVERIFY(setValue(scenario, "*.kind", "elderly").empty());
+    for (const Human& human : scenario.humans) {
+      QVERIFY((human.maxVel == 0.5) == human.listed);
+      QVERIFY((human.ours.kind == PersonKind::Elderly) == human.listed);
+    }
+  }
+
+  void setValue_mapForAnEntity_setsItsKeysAndLeavesTheOthers() {
+    Scenario scenario = block(), one = scenario;
+    QVERIFY(setValue(scenario, "anna", "{max_vel: 2, start_time: 4, behavior.dist: 7.5}").empty());
+    QVERIFY(
+        setValue(scenario, "robot1", "{planner: dwa, start.h: 1, planner_parameters: {}}").empty());
+    for (const auto& [path, value] :
+         {std::pair("anna.max_vel", "2"), std::pair("anna.start_time", "4"),
+          std::pair("anna.behavior.dist", "7.5"), std::pair("robot1.planner_parameters", "{}"),
+          std::pair("robot1.planner", "dwa"), std::pair("robot1.start.h", "1")}) {
+      QVERIFY(setValue(one, path, value).empty());
+    }
+    QVERIFY(scenario == one);
+  }
+
+  void setValue_mapForEveryone_setsEveryListedPerson() {
+    Scenario scenario = readScenario(dataFile("dialect_b.yaml")).scenario;
+    QVERIFY(setValue(scenario, "*", "{max_vel: 0.5, kind: elderly}").empty());
     for (const Human& human : scenario.humans) {
       QVERIFY((human.maxVel == 0.5) == human.listed);
       QVERIFY((human.ours.kind == PersonKind::Elderly) == human.listed);

@@ -215,9 +215,16 @@ std::vector<std::pair<QString, std::vector<const StudyRow*>>> StudyRunsModel::by
       options.push_back({option, {&row}});
     }
   }
-  for (auto& [option, rows] : options) {
+  std::vector<std::string> texts;
+  texts.reserve(options.size());
+  for (const auto& [option, rows] : options) {
+    texts.push_back(option.toStdString());
+  }
+  const std::vector<std::string> labels = optionLabels(texts);
+  for (std::size_t k = 0; k < options.size(); ++k) {
+    auto& [option, rows] = options[k];
     const bool isScenario = rows.front()->values.count(path) == 0;
-    option = isScenario ? scenarioName(option) : option;
+    option = isScenario ? scenarioName(option) : QString::fromStdString(labels[k]);
   }
   return options;
 }
