@@ -4,3 +4,5 @@ set_tests_properties(bt.tst_ShippedScenarios PROPERTIES TIMEOUT 600 COST 100)
 set_tests_properties(bt.tst_RandomTrees PROPERTIES TIMEOUT 1800)
 # With HUNAV_ALL_TESTS two minutes of the café, 90 times.
 set_tests_properties(bt.tst_CafeWithParkedRobot PROPERTIES TIMEOUT 1800 COST 100)
+# With HUNAV_ALL_TESTS 200 seeds of each scenario of the library.
+set_tests_properties(bt.tst_VariedPeople PROPERTIES TIMEOUT 1800)
