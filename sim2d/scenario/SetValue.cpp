@@ -178,13 +178,22 @@ TreeReading readWithSettings(const YamlNode& tree, std::vector<Setting>& setting
 
 base::Diagnostics errorOfValue(const std::string& path, const std::string& value,
                                const YamlNode& node) {
-  if (node.isNull() || (node.isMap() && node.items.empty())) {
+  if (node.isNull()) {
     return {base::withContext(path, base::error("set.no-value", {value}))};
   }
   if (isNumberedType(path, node)) {
     return {base::withContext(path, base::error("set.no-behavior", {value}))};
   }
   return {};
+}
+
+base::Diagnostics errorOfNothingSet(const Scenario& scenario, const std::string& path,
+                                    const std::string& value) {
+  if (!expandedPaths(scenario, path).empty()) {  // an empty map
+    return {base::withContext(path, base::error("set.no-value", {value}))};
+  }
+  const bool isNav2 = base::split(path, '.').front() == kNav2Word;
+  return {base::withContext(path, base::error(isNav2 ? "set.no-nav2" : "set.nobody"))};
 }
 
 }  // namespace
@@ -200,8 +209,7 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   problems = errorOfValue(path, value, node);
   std::vector<Setting> settings = settingsOf(scenario, path, node);
   if (problems.empty() && settings.empty()) {
-    const bool isNav2 = base::split(path, '.').front() == kNav2Word;
-    return {base::withContext(path, base::error(isNav2 ? "set.no-nav2" : "set.nobody"))};
+    return errorOfNothingSet(scenario, path, value);
   }
   for (Setting& setting : settings) {
     if (setting.path != path) {
