@@ -318,12 +318,13 @@ std::string optionLabel(const std::string& text) {
   }
   base::Diagnostics problems;
   const YamlNode map = base::parseYaml(text, {}, problems);
-  if (!problems.empty() || !map.isMap()) {
+  if (!problems.empty() || !map.isMap() || map.items.empty()) {
     return text;
   }
-  std::vector<std::string> words;
-  std::transform(map.items.begin(), map.items.end(), std::back_inserter(words), wordInLabel);
-  return base::join(words, ", ");
+  std::vector<std::string> others;
+  std::transform(map.items.begin() + 1, map.items.end(), std::back_inserter(others), wordInLabel);
+  const std::string first = wordInLabel(map.items.front());
+  return others.empty() ? first : first + " (" + base::join(others, ", ") + ")";
 }
 
 }  // namespace

@@ -46,8 +46,9 @@ base::Result<ExperimentValue> readExperimentValue(const base::YamlNode& node);
 std::string experimentValueText(const ExperimentValue& value);
 
 /// The labels of the texts of a value in tables and figures. A map is labelled with its values,
-/// files without folder and extension: "{planner: nav2, nav2_params: ../a.yaml}" becomes "nav2, a".
-/// Other texts are their own labels, and so are all of them if two labels would be equal.
+/// those after the first in brackets, files without folder and extension:
+/// "{planner: nav2, nav2_params: ../a.yaml}" becomes "nav2 (a)". Other texts are their own labels,
+/// and so are all of them if two labels would be equal.
 std::vector<std::string> optionLabels(const std::vector<std::string>& texts);
 
 /// The problem with the line and column of a node.

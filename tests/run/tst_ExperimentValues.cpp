@@ -82,10 +82,11 @@ class ExperimentValuesTest : public QObject {
       QTest::newRow(yaml) << QString::fromLatin1(yaml) << QString::fromLatin1(labels);
     };
     row("[pursuit, a/b.yaml]", "pursuit|a/b.yaml");
-    row("[{planner: dwa}, {planner: nav2, nav2_params: ../x/rpp.yaml}]", "dwa|nav2, rpp");
-    row("[{nav2_params: [x/rpp.yaml, y.yaml], max_vel: 0.8}]", "rpp + y, 0.8");
-    row("[{start: {x: 1.0, h: 2.0}, mass: 4}]", "{x: 1.0, h: 2.0}, 4");
+    row("[{planner: dwa}, {planner: nav2, nav2_params: ../x/rpp.yaml}]", "dwa|nav2 (rpp)");
+    row("[{nav2_params: [x/rpp.yaml, y.yaml], max_vel: 0.8}]", "rpp + y (0.8)");
+    row("[{start: {x: 1.0, h: 2.0}, mass: 4}]", "{x: 1.0, h: 2.0} (4)");
     row("[{file: a/p.yaml}, {file: b/p.yaml}]", "{file: a/p.yaml}|{file: b/p.yaml}");
+    row("[{planner: nav2, nav2_params: a.yaml, max_vel: 0.8}]", "nav2 (a, 0.8)");
     row("['{no map']", "{no map");
   }
   void labels_ofMaps_areTheirValues() {
