@@ -4166,6 +4166,10 @@
         <translation>Compartir un estudio</translation>
     </message>
     <message>
+        <source>Leaderboard</source>
+        <translation>Clasificación</translation>
+    </message>
+    <message>
         <source>Find failures</source>
         <translation>Búsqueda de fallos</translation>
     </message>

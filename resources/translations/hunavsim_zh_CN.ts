@@ -4166,6 +4166,10 @@
         <translation>共享研究</translation>
     </message>
     <message>
+        <source>Leaderboard</source>
+        <translation>排行榜</translation>
+    </message>
+    <message>
         <source>Find failures</source>
         <translation>查找失败</translation>
     </message>

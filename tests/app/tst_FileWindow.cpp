@@ -3,6 +3,7 @@
 #include "app/window/StartPage.h"
 #include "app/window/files/FileCommands.h"
 #include "app/window/files/FileDialogs.h"
+#include "app/window/study/StudyPanel.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"
@@ -43,6 +44,53 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QVERIFY(!window_->notices().has(QStringLiteral("read-only")));
     quiet::shoot(*window_, "damaged");
+  }
+
+  void experiment_withoutADocument_opensItsFirstScenario() {
+    const QString scenario = copyOfDemo();
+    const QString file = at("two_planners.yaml");
+    const std::string text = "hunavsim_experiment: 1\nscenarios: [" +
+                             QFileInfo(scenario).fileName().toStdString() +
+                             "]\nseeds: 2\nvalues:\n  robot1.planner: [pursuit, dwa]\n";
+    QVERIFY(base::writeFileAtomically(file.toStdString(), text).empty());
+    QVERIFY(window_->open(file));
+    QVERIFY(!window_->isOnStartPage());
+    QCOMPARE(document().path(), QFileInfo(scenario).absoluteFilePath());
+    QVERIFY(!document().isReadOnly());
+    const app::StudyPanel& panel = window_->docks().panel<app::StudyPanel>();
+    QCOMPARE(panel.file(), file);
+    QVERIFY(panel.isVisibleTo(window_.get()));
+  }
+
+  void experiment_besideADocument_leavesItOpen() {
+    QVERIFY(window_->open(copyOfDemo()));
+    const QString before = document().path();
+    const QString file = at("one_seed.yaml");
+    const std::string text = "hunavsim_experiment: 1\nscenarios: [crossing_agents]\nseeds: 1\n";
+    QVERIFY(base::writeFileAtomically(file.toStdString(), text).empty());
+    QVERIFY(window_->files().openFile(file));
+    QCOMPARE(document().path(), before);
+    QCOMPARE(window_->docks().panel<app::StudyPanel>().file(), file);
+    QVERIFY(base::writeFileAtomically(file.toStdString(), text + "colour: red\n").empty());
+    QVERIFY(!window_->files().openFile(file));
+    QVERIFY(window_->files().problems().front().code == "experiment.unknown-key");
+    QCOMPARE(document().path(), before);
+  }
+
+  void nav2File_isExplainedAndLeavesTheDocument() {
+    QVERIFY(window_->open(copyOfDemo()));
+    const QString before = document().path();
+    const QString file = at("nav2_params.yaml");
+    for (const char* text :
+         {"controller_server:\n  ros__parameters:\n    controller_frequency: 20.0\n",
+          "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><ComputePathToPose goal=\"{goal}\" "
+          "path=\"{path}\"/></BehaviorTree></root>"}) {
+      QVERIFY(base::writeFileAtomically(file.toStdString(), text).empty());
+      QVERIFY(!window_->files().openFile(file));
+      QVERIFY(window_->files().problems().front().code == "document.nav2-file");
+    }
+    QCOMPARE(document().path(), before);
+    QVERIFY(!document().isReadOnly());
   }
 
   void anotherProgramWrites_noticeOffersToReload() {

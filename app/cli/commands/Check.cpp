@@ -8,6 +8,7 @@
 #include "app/run/Experiment.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/Export.h"
+#include "app/run/FileKind.h"
 #include "app/run/Nav2Robots.h"
 #include "bt/engine/Program.h"
 #include "bt/human/TreeLoader.h"
@@ -16,7 +17,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
-#include "sim2d/nav/nav2/params/ParameterFile.h"
 #include "sim2d/scenario/Fields.h"
 
 namespace app {
@@ -29,24 +29,6 @@ struct CheckOptions {
   std::string distro;  // of Nav2's files; empty = guessed from them
   CertifyOptions certify;
 };
-
-enum class FileKind { Scenario, Tree, NavigatorTree, Map, Experiment, Nav2 };
-
-/// By content, not by file name.
-FileKind kindOf(const std::string& text) {
-  const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  if (first != std::string::npos && text[first] == '<') {
-    return bt::looksLikeNavigatorTree(text) ? FileKind::NavigatorTree : FileKind::Tree;
-  }
-  if (sim2d::nav2::looksLikeNav2(text)) {
-    return FileKind::Nav2;
-  }
-  if (text.find("hunavsim_experiment") != std::string::npos) {
-    return FileKind::Experiment;
-  }
-  const bool isAgents = text.find("ros__parameters") != std::string::npos;
-  return !isAgents && text.find("image:") != std::string::npos ? FileKind::Map : FileKind::Scenario;
-}
 
 base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
   RunSpec run = options.scenario;
@@ -105,7 +87,7 @@ base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& o
     return text.diagnostics();
   }
   const Nav2Branch branch = sim2d::nav2::distroFromName(options.distro);
-  switch (kindOf(*text)) {
+  switch (fileKindOf(*text)) {
     case FileKind::Tree:
       return checkTree(path);
     case FileKind::NavigatorTree:

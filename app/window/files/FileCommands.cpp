@@ -1,6 +1,5 @@
 #include "app/window/files/FileCommands.h"
 
-#include "app/report/StudyOutput.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunReplay.h"
@@ -68,46 +67,6 @@ bool FileCommands::showProblems(const base::Diagnostics& problems) {
   return fine;
 }
 
-/// Whether the name is that of third-party trajectories: no scenario, map or tree has it.
-bool FileCommands::isTracks(const QString& path) {
-  static const QStringList kTracks = {QStringLiteral("csv"),    QStringLiteral("txt"),
-                                      QStringLiteral("tsv"),    QStringLiteral("h5"),
-                                      QStringLiteral("hdf5"),   QStringLiteral("sqlite"),
-                                      QStringLiteral("ndjson"), QStringLiteral("json")};
-  return kTracks.contains(QFileInfo(path).suffix().toLower());
-}
-
-/// Detects the kind by content; for images, trajectories and the header of a recorded run by file
-/// name.
-FileCommands::Kind FileCommands::kindOf(const QString& path) const {
-  const QFileInfo file(path);
-  if (report::studyOutputFile(path.toStdString())) {
-    return Kind::StudyResults;
-  }
-  if (file.isDir() || file.fileName() == QLatin1String("trace.json")) {
-    return Kind::Run;
-  }
-  if (file.suffix().toLower() == QLatin1String("hnv")) {
-    return Kind::Capsule;
-  }
-  if (isMapImage(path)) {
-    return Kind::Image;
-  }
-  if (isTracks(path)) {
-    return Kind::Tracks;
-  }
-  const base::Result<std::string> text = base::readTextFile(path.toStdString());
-  if (!text) {
-    return Kind::Scenario;  // whose reader reports the error
-  }
-  const std::size_t first = text->find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  if (first != std::string::npos && (*text)[first] == '<') {
-    return Kind::Tree;
-  }
-  const bool isScenario = text->find("ros__parameters") != std::string::npos;
-  return !isScenario && text->find("image:") != std::string::npos ? Kind::Map : Kind::Scenario;
-}
-
 bool FileCommands::openFile(const QString& path) {
   switch (kindOf(path)) {
     case Kind::Map:
@@ -124,6 +83,10 @@ bool FileCommands::openFile(const QString& path) {
       return openCapsule(path);
     case Kind::StudyResults:
       return openStudyResults(path);
+    case Kind::Experiment:
+      return openExperiment(path);
+    case Kind::Nav2:
+      return showProblems({base::error("document.nav2-file", {}, path.toStdString())});
     case Kind::Scenario:
       break;
   }

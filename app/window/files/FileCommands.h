@@ -28,9 +28,8 @@ class FileCommands : public QObject {
     compatibility_ = compatibility;
   }
   /// Opens a scenario, a map (for a new scenario), the folder of a recorded run, third-party
-  /// trajectories, the results of `tune`, `gate`, `sensitivity` or `search`, or a tree for the
-  /// selected people. False: the file could not be read completely;
-  /// see the issues.
+  /// trajectories, an experiment, the results of `tune`, `gate`, `sensitivity` or `search`, or a
+  /// tree for the selected people. False: the file could not be read completely; see the issues.
   bool openFile(const QString& path);
   /// Opens a packed study from a temporary folder, which lives as long as the window.
   bool openCapsule(const QString& path);
@@ -90,7 +89,18 @@ class FileCommands : public QObject {
   void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
 
  private:
-  enum class Kind { Scenario, Map, Image, Tree, Run, Tracks, Capsule, StudyResults };
+  enum class Kind {
+    Scenario,
+    Map,
+    Image,
+    Tree,
+    Run,
+    Tracks,
+    Capsule,
+    StudyResults,
+    Experiment,
+    Nav2
+  };
   using GridPtr = std::shared_ptr<const sim2d::OccupancyGrid>;
   bool showProblems(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
@@ -105,6 +115,7 @@ class FileCommands : public QObject {
   bool openScenario(const QString& path, bool isTemporary = false);
   bool openTracks(const QString& path);
   bool openStudyResults(const QString& path);
+  bool openExperiment(const QString& path);
   void showRun(const RecordedRun& run, const QString& path, const QString& name,
                std::function<editor::RunRequest()> again);
   void remember(const QString& run);  // among the recent files

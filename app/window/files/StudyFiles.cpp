@@ -19,7 +19,9 @@ void FileCommands::openIfWanted(const QString& path) {
 }
 
 bool FileCommands::mayOpen(const QString& path) {
-  return kindOf(path) == Kind::StudyResults || maybeSave();
+  const Kind kind = kindOf(path);
+  return kind == Kind::StudyResults || kind == Kind::Experiment || kind == Kind::Nav2 ||
+         maybeSave();
 }
 
 /// The results of a batch are put where the study panel looks for them: beside the experiment.
@@ -52,6 +54,21 @@ bool FileCommands::openCapsule(const QString& path) {
   const bool isOpened = openScenario(QString::fromStdString(read->scenarioPaths.front()), true);
   Q_EMIT studyOpened(experiment.absoluteFilePath());
   return isOpened;
+}
+
+/// An open document stays open; if there is none, the first scenario is opened.
+bool FileCommands::openExperiment(const QString& path) {
+  const base::Result<Experiment> experiment = readExperiment(path.toStdString());
+  if (!experiment) {
+    return showProblems(experiment.diagnostics());
+  }
+  const editor::ScenarioDocument& document = workspace_.document();
+  if (document.path().isEmpty() && !document.isDirty()) {
+    openScenario(QString::fromStdString(experiment->scenarioPaths.front()), true);
+  }
+  remember(path);
+  Q_EMIT studyOpened(path);
+  return true;
 }
 
 /// The document stays open.

@@ -19,6 +19,7 @@ const std::vector<ManualPage>& manualPages() {
       {"planners", QT_TRANSLATE_NOOP("Manual", "Planners")},
       {"models", QT_TRANSLATE_NOOP("Manual", "Pedestrian models")},
       {"compare-planners", QT_TRANSLATE_NOOP("Manual", "Compare planners")},
+      {"leaderboard", QT_TRANSLATE_NOOP("Manual", "Leaderboard")},
       {"sensitivity", QT_TRANSLATE_NOOP("Manual", "Sensitivity analysis")},
       {"tuning", QT_TRANSLATE_NOOP("Manual", "Parameter tuning")},
       {"share", QT_TRANSLATE_NOOP("Manual", "Share a study")},
