@@ -353,13 +353,16 @@ std::string Study::replayCommand(std::size_t run) const {
 }
 
 base::Result<Study> readStudy(const StudyOptions& studyOptions) {
+  std::error_code ignored;  // inaccessible counts as missing
+  if (fs::is_regular_file(studyOptions.folder, ignored)) {
+    return base::error("report.file-for-batch", {}, studyOptions.folder);
+  }
   const std::string file = (fs::path(studyOptions.folder) / "results.csv").string();
   const base::Result<std::string> text = base::readTextFile(file, base::kMaxRecord);
   Study manifest;
   base::Diagnostics problems = text.diagnostics();
   base::append(problems, readManifest(fs::path(studyOptions.folder) / "manifest.json", manifest));
   const std::string coverage = (fs::path(studyOptions.folder) / app::kTreeCoverageFile).string();
-  std::error_code ignored;  // inaccessible counts as missing
   const bool hasCoverage = fs::exists(coverage, ignored);
   base::append(problems, app::checkManifestFiles(studyOptions.folder, {"results.csv"}));
   if (hasCoverage) {

@@ -57,8 +57,13 @@ class Reader {
       error(root, "experiment.no-map");
       return;
     }
-    checkKeys(root);
     const YamlNode* format = root.find("hunavsim_experiment");
+    if (format == nullptr && root.find("scenarios") == nullptr) {
+      const bool isScenario = root.find("hunav_loader") != nullptr;
+      error(root, isScenario ? "experiment.is-scenario" : "experiment.other-file");
+      return;
+    }
+    checkKeys(root);
     if (format == nullptr) {
       error(root, "experiment.no-format");
     } else if (base::parseInt(format->text) != 1) {

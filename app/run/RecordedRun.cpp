@@ -254,11 +254,14 @@ base::Diagnostics partProblems(const std::string& folder, const sim2d::Truncatio
 
 base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t mostInMemory,
                                           IncompleteRecordings cuts) {
+  std::error_code none;
+  if (fs::is_regular_file(folder, none)) {
+    return base::error("trace.file-for-run", {}, folder);
+  }
   const base::Diagnostics unsettled = completeCommit(folder);
   if (base::hasErrors(unsettled)) {
     return unsettled;
   }
-  std::error_code none;
   if (!fs::exists(fs::path(folder) / "trace.json", none)) {
     const std::string rest =
         cuts == IncompleteRecordings::Shown ? stagingOfKilledRun(folder) : std::string();

@@ -73,8 +73,26 @@ class FileReader {
       report_.add(*only, base::warning("scenario.other-node", {only->key}));
       return only;
     }
-    report_.add(root_, base::error("scenario.no-node"));
+    report_.add(root_, missingLoader());
     return nullptr;
+  }
+
+  /// The error of a file without hunav_loader, which may be a file of another kind.
+  base::Diagnostic missingLoader() const {
+    if (root_.find("hunavsim_experiment") != nullptr) {
+      return base::error("scenario.is-experiment");
+    }
+    if (root_.find("image") != nullptr) {
+      return base::error("scenario.is-map");
+    }
+    std::vector<std::string> nodes;
+    for (const YamlNode& item : root_.items) {
+      if (item.find(kParameters) != nullptr) {
+        nodes.push_back(item.key);
+      }
+    }
+    return nodes.empty() ? base::error("scenario.no-node")
+                         : base::error("scenario.other-nodes", {base::join(nodes, ", ")});
   }
 
   void readLoader(const YamlNode& parameters) {

@@ -339,6 +339,10 @@ base::Result<Trace> traceOf(const TraceTexts& texts, Truncation* cut) {
 }
 
 base::Result<Trace> readAnyTrace(const std::string& directory, Truncation* cut) {
+  std::error_code none;
+  if (std::filesystem::is_regular_file(directory, none)) {
+    return base::error("trace.file-for-run", {}, directory);
+  }
   base::Diagnostics problems;
   const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
   const auto fileOf = [&](const char* name) {

@@ -55,6 +55,17 @@ class ExperimentCheckTest : public QObject {
   }
 
  private Q_SLOTS:
+  void fileOfAnotherKind_isOneProblem() {
+    for (const auto& [text, said] : {std::pair("hunav_loader:\n  ros__parameters:\n    map: yard\n",
+                                               "1:1 error a scenario is not an experiment"),
+                                     std::pair("image: yard.pgm\nresolution: 0.05\n",
+                                               "1:1 error this is not an experiment")}) {
+      const QStringList lines = linesOf(app::parseExperiment(text, "e.yaml").diagnostics());
+      QVERIFY2(lines.size() == 1 && lines.front().startsWith(QLatin1String(said)),
+               qPrintable(lines.join(QLatin1Char('\n'))));
+    }
+  }
+
   /// Four times the paths take about four times as long, whether there are such keys or not.
   void manyPaths_takeTimeInProportion_data() {
     QTest::addColumn<QByteArray>("path");

@@ -238,6 +238,15 @@ class TraceTest : public QObject {
     QVERIFY2(all.find(expected.toStdString()) != std::string::npos, all.c_str());
   }
 
+  void readTrace_fileInsteadOfFolder_isOneProblem() {
+    QTemporaryDir folder;
+    const std::string file = folder.filePath(QStringLiteral("yard.yaml")).toStdString();
+    QVERIFY(base::writeFileAtomically(file, "dt: 0.05\n").empty());
+    const base::Result<Trace> read = readTrace(file);
+    QCOMPARE(read.diagnostics().size(), std::size_t{1});
+    QVERIFY(read.diagnostics().front().code == "trace.file-for-run");
+  }
+
   void readTrace_missingFiles_areAllNamed() {
     QTemporaryDir folder;
     const base::Result<Trace> read = readTrace(folder.path().toStdString());
