@@ -291,6 +291,16 @@ class ReportProgramTest : public QObject {
     QVERIFY(!QFile::exists(folder.filePath(text("report.html"))));
   }
 
+  void report_ofAFile_isOneProblem() {
+    const ResultsFolder folder;
+    const Finished done = report(folder.filePath(text("results.csv")), {});
+    QCOMPARE(done.exitCode, 2);
+    QVERIFY2(done.err.endsWith(text("results.csv: error: a file is not a batch (give the folder "
+                                    "that hunavsim batch wrote)\n")) &&
+                 done.err.count(QLatin1Char('\n')) == 1,
+             qPrintable(done.err));
+  }
+
   /// A arrives only where it is easy and is slower there; C is quick because it gives up.
   void report_findings_sayWhatThePairsSay() {
     const ResultsFolder folder;
