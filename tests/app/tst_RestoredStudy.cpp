@@ -1,6 +1,7 @@
 #include <QSignalSpy>
 
 #include "app/window/Docks.h"
+#include "app/window/files/FileCommands.h"
 #include "app/window/study/StudyPanel.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
@@ -96,6 +97,22 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     QVERIFY(panel().openFile(study_->endless()));  // one without results
     QCOMPARE(rows(), std::size_t{0});
     QVERIFY(!button("Report").isEnabled());
+  }
+
+  void open_folderOfABatch_showsItsResults() {
+    const QString file = finished(), folder = study_->path(text("elsewhere"));
+    QVERIFY(QDir().rename(study_->path(text("done_results")), folder));
+    QVERIFY(window_->files().openFile(folder));
+    QCOMPARE(panel().file(), file);
+    QCOMPARE(panel().resultsFolder(), folder);
+    QCOMPARE(rows(), std::size_t{4});
+    QVERIFY(button("Report").isEnabled());
+    QVERIFY(QFile::remove(folder + text("/results.sqlite")));  // manifest.json names it, too
+    QVERIFY(window_->files().openFile(folder));
+    QCOMPARE(rows(), std::size_t{4});
+    QVERIFY(QFile::remove(file));
+    QVERIFY(!window_->files().openFile(folder));
+    QVERIFY(window_->files().problems().front().code == "batch.no-experiment");
   }
 
   void open_killedStudy_showsWhatIsFinished() {

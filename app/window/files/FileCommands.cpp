@@ -6,6 +6,7 @@
 #include "app/window/WindowActions.h"
 #include "app/window/files/MapFiles.h"
 #include "app/window/settings/Preferences.h"
+#include "app/window/study/StudyProcess.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
@@ -83,8 +84,10 @@ bool FileCommands::openFile(const QString& path) {
       return openCapsule(path);
     case Kind::StudyResults:
       return openStudyResults(path);
+    case Kind::Batch:
+      return openExperiment(experimentOfBatch(path), path);
     case Kind::Experiment:
-      return openExperiment(path);
+      return openExperiment(path, path);
     case Kind::Nav2:
       return showProblems({base::error("document.nav2-file", {}, path.toStdString())});
     case Kind::Scenario:

@@ -28,8 +28,9 @@ class FileCommands : public QObject {
     compatibility_ = compatibility;
   }
   /// Opens a scenario, a map (for a new scenario), the folder of a recorded run, third-party
-  /// trajectories, an experiment, the results of `tune`, `gate`, `sensitivity` or `search`, or a
-  /// tree for the selected people. False: the file could not be read completely; see the issues.
+  /// trajectories, an experiment, the results of `batch`, `tune`, `gate`, `sensitivity` or
+  /// `search`, or a tree for the selected people. False: the file could not be read completely; see
+  /// the issues.
   bool openFile(const QString& path);
   /// Opens a packed study from a temporary folder, which lives as long as the window.
   bool openCapsule(const QString& path);
@@ -97,6 +98,7 @@ class FileCommands : public QObject {
     Run,
     Tracks,
     Capsule,
+    Batch,
     StudyResults,
     Experiment,
     Nav2
@@ -115,7 +117,7 @@ class FileCommands : public QObject {
   bool openScenario(const QString& path, bool isTemporary = false);
   bool openTracks(const QString& path);
   bool openStudyResults(const QString& path);
-  bool openExperiment(const QString& path);
+  bool openExperiment(const QString& file, const QString& shown);
   void showRun(const RecordedRun& run, const QString& path, const QString& name,
                std::function<editor::RunRequest()> again);
   void remember(const QString& run);  // among the recent files

@@ -4,6 +4,7 @@
 #include "app/run/FileKind.h"
 #include "app/window/files/FileCommands.h"
 #include "app/window/files/MapFiles.h"
+#include "app/window/study/StudyProcess.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -23,6 +24,9 @@ FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   const QFileInfo file(path);
   if (report::studyOutputFile(path.toStdString())) {
     return Kind::StudyResults;
+  }
+  if (file.isDir() && isBatchFolder(path)) {
+    return Kind::Batch;
   }
   if (file.isDir() || file.fileName() == QLatin1String("trace.json")) {
     return Kind::Run;

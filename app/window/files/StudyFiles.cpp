@@ -20,8 +20,8 @@ void FileCommands::openIfWanted(const QString& path) {
 
 bool FileCommands::mayOpen(const QString& path) {
   const Kind kind = kindOf(path);
-  return kind == Kind::StudyResults || kind == Kind::Experiment || kind == Kind::Nav2 ||
-         maybeSave();
+  return kind == Kind::StudyResults || kind == Kind::Experiment || kind == Kind::Batch ||
+         kind == Kind::Nav2 || maybeSave();
 }
 
 /// The results of a batch are put where the study panel looks for them: beside the experiment.
@@ -56,9 +56,13 @@ bool FileCommands::openCapsule(const QString& path) {
   return isOpened;
 }
 
-/// An open document stays open; if there is none, the first scenario is opened.
-bool FileCommands::openExperiment(const QString& path) {
-  const base::Result<Experiment> experiment = readExperiment(path.toStdString());
+/// Opens the experiment in `file` or the folder of its results, which is then `shown`. An open
+/// document stays open; if there is none, the first scenario is opened.
+bool FileCommands::openExperiment(const QString& file, const QString& shown) {
+  if (file.isEmpty()) {
+    return showProblems({base::error("batch.no-experiment", {}, shown.toStdString())});
+  }
+  const base::Result<Experiment> experiment = readExperiment(file.toStdString());
   if (!experiment) {
     return showProblems(experiment.diagnostics());
   }
@@ -66,8 +70,8 @@ bool FileCommands::openExperiment(const QString& path) {
   if (document.path().isEmpty() && !document.isDirty()) {
     openScenario(QString::fromStdString(experiment->scenarioPaths.front()), true);
   }
-  remember(path);
-  Q_EMIT studyOpened(path);
+  remember(shown);
+  Q_EMIT studyOpened(shown);
   return true;
 }
 

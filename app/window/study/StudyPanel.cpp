@@ -232,13 +232,17 @@ void StudyPanel::updateMessageColor() {
 }
 
 QString StudyPanel::resultsFolder() const {
+  if (!resultsFolder_.isEmpty()) {
+    return resultsFolder_;
+  }
   const QFileInfo file(file_);
   return file.absoluteDir().filePath(file.completeBaseName() + QStringLiteral("_results"));
 }
 
-void StudyPanel::setFile(const QString& path) {
+void StudyPanel::setFile(const QString& path, const QString& results) {
   closeOutput();
   file_ = path;
+  resultsFolder_ = results;
   isEdited_ = true;  // until saved
   written_ = QString();
   hideAnswers();
@@ -294,14 +298,19 @@ bool StudyPanel::openFile(const QString& path) {
   if (const std::optional<std::string> results = report::studyOutputFile(path.toStdString())) {
     return openOutput(*results);
   }
-  const base::Result<Experiment> read = readExperiment(path.toStdString());
+  const bool isFolder = QFileInfo(path).isDir();
+  const QString file = isFolder ? experimentOfBatch(path) : path;
+  if (file.isEmpty()) {
+    return false;
+  }
+  const base::Result<Experiment> read = readExperiment(file.toStdString());
   if (!read) {
     showMessage(QString::fromStdString(read.diagnostics().front().text()), true);
     return false;
   }
-  setFile(path);
+  setFile(file, isFolder ? QFileInfo(path).absoluteFilePath() : QString());
   form_->show(*read);
-  written_ = form_->yamlFor(QFileInfo(path).absolutePath());
+  written_ = form_->yamlFor(QFileInfo(file).absolutePath());
   isEdited_ = false;
   updateControls();
   return true;

@@ -80,12 +80,12 @@ class StudyPanel : public QWidget {
   ~StudyPanel() override;
   Q_DISABLE_COPY_MOVE(StudyPanel)
 
-  /// Opens an experiment with its existing results, or the output folder of `tune`, `gate`,
-  /// `sensitivity` or `search` (or its JSON file); shows problems. Also false while a study is
-  /// running.
+  /// Opens an experiment with its existing results, the output folder of `batch`, or that of
+  /// `tune`, `gate`, `sensitivity` or `search` (or its JSON file); shows problems. Also false while
+  /// a study is running.
   bool openFile(const QString& path);
-  /// Sets the experiment file, which determines the results folder.
-  void setFile(const QString& path);
+  /// Sets the experiment file. `results`: the folder for its results; empty: beside the file.
+  void setFile(const QString& path, const QString& results = {});
   QString file() const { return file_; }
   QString resultsFolder() const;
   /// The name of the experiment or of the folder with results.
@@ -156,6 +156,7 @@ class StudyPanel : public QWidget {
 
   editor::PanelContext& context_;
   QString file_;
+  QString resultsFolder_;  // empty: beside the file
   bool isEdited_ = false;  // the fields differ from the file
   QString written_;        // text of the fields equal to the file; null: none
   QString folderProblem_;  // problem with the results folder

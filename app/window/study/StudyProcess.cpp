@@ -6,6 +6,10 @@
 #include <sys/types.h>
 #include <utility>
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include "app/report/Study.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/DataPaths.h"
@@ -215,6 +219,44 @@ RestoredStudy restoredStudyIn(const QString& folder) {
   RestoredStudy earlier = isIn(folder, "results.csv") ? restoredFromCsv(folder) : RestoredStudy();
   earlier.trouble = trouble.isEmpty() ? earlier.trouble : trouble;
   return earlier;
+}
+
+bool isBatchFolder(const QString& folder) {
+  return isIn(folder, "results.sqlite") ||
+         (isIn(folder, "results.csv") && isIn(folder, "manifest.json"));
+}
+
+namespace {
+
+/// The path as the batch was given it, which may have been started in another folder.
+QString writtenExperimentOf(const QString& folder) {
+  if (isIn(folder, "results.sqlite")) {
+    if (const base::Result<LockedResults> opened = readResults(folder.toStdString())) {
+      return QString::fromStdString(opened->store->study().experimentPath);
+    }
+  }
+  QFile manifest(QDir(folder).filePath(QStringLiteral("manifest.json")));
+  if (!manifest.open(QIODevice::ReadOnly)) {
+    return {};
+  }
+  const QJsonArray inputs =
+      QJsonDocument::fromJson(manifest.readAll()).object()[QLatin1String("inputs")].toArray();
+  return inputs.first()[QLatin1String("path")].toString();  // it is the first input
+}
+
+}  // namespace
+
+QString experimentOfBatch(const QString& folder) {
+  const QString written = writtenExperimentOf(folder);
+  const QDir results(folder);
+  for (const QString& base :
+       {QDir::currentPath(), results.filePath(QStringLiteral("..")), results.absolutePath()}) {
+    const QFileInfo file(QDir(base), written);
+    if (!written.isEmpty() && file.isFile()) {
+      return QDir::cleanPath(file.absoluteFilePath());
+    }
+  }
+  return {};
 }
 
 QString resumeObstacle(const QString& folder, const std::string& experiment) {

@@ -53,6 +53,12 @@ struct RestoredStudy {
 /// rows.
 RestoredStudy restoredStudyIn(const QString& folder);
 
+/// Whether a batch has written its results into the folder.
+bool isBatchFolder(const QString& folder);
+/// The experiment file of the batch in the folder, looked for in the current folder, beside the
+/// results and in their folder if its path is relative; empty: not found.
+QString experimentOfBatch(const QString& folder);
+
 /// The reason why this experiment cannot be resumed with the results in the folder. Empty: it can,
 /// or there are no results.
 QString resumeObstacle(const QString& folder, const std::string& experiment);
