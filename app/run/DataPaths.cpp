@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <filesystem>
 
+#include "sim2d/base/ProgramFile.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -12,22 +12,10 @@ namespace app {
 namespace fs = std::filesystem;
 
 std::string programPath() {
-  std::error_code error;
-  const fs::path path = fs::read_symlink("/proc/self/exe", error);
-  return error ? std::string() : path.string();
+  return base::programFile();
 }
 
 namespace {
-
-/// The file that contains this code: the executable, or the Python module.
-fs::path ownFile() {
-  Dl_info info = {};
-  const bool isKnown =
-      dladdr(reinterpret_cast<const void*>(&programPath), &info) != 0 && info.dli_fname != nullptr;
-  const fs::path file = isKnown ? fs::path(info.dli_fname) : fs::path();
-  // The name of an executable may be relative to a folder that is no longer the current one.
-  return file.extension() == ".so" ? file : fs::path(programPath());
-}
 
 bool isFolder(const fs::path& path) {
   std::error_code error;
@@ -48,7 +36,7 @@ std::string dataFolder(const std::string& name) {
     return (replaced / name).string();
   }
   std::error_code error;
-  fs::path folder = fs::weakly_canonical(ownFile(), error).parent_path();
+  fs::path folder = fs::weakly_canonical(base::codeFile(), error).parent_path();
   for (; folder.has_relative_path(); folder = folder.parent_path()) {
     const bool isSourceTree = fs::exists(folder / "CMakeLists.txt", error) &&
                               isFolder(folder / "maps") && isFolder(folder / "resources");

@@ -125,7 +125,9 @@ std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
   std::vector<std::string> files;
   sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
     const std::string file = fileTextOf(robot);
-    if (plannerOf(robot) == kReplayPlanner && !file.empty()) {
+    const std::string planner = plannerOf(robot);
+    const bool isReader = planner == kReplayPlanner || planner == sim2d::kOnnxPlanner;
+    if (isReader && !file.empty()) {
       files.push_back(relativeToScenario(file, scenarioPath));
     }
   });

@@ -33,7 +33,7 @@ std::vector<std::string> filesOf(const ExternalCode& code, const std::string& sc
 /// common interpreter. Other arguments may be files that the code itself writes. nullopt if
 /// unknown.
 std::optional<std::string> codeFileOf(const ExternalCode& code, const std::string& scenarioPath);
-/// Files that planners read: recorded velocities.
+/// Files that planners read: recorded velocities, learned policies.
 std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
                                                const std::string& scenarioPath);
 /// The folder that relative paths of planners refer to.

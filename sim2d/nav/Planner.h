@@ -77,6 +77,7 @@ constexpr const char* kNav2Planner = "nav2";
 /// Planners that run external code.
 constexpr const char* kExternalPlanner = "external";
 constexpr const char* kLibraryPlanner = "library";
+constexpr const char* kOnnxPlanner = "onnx";  // reads a file that is data, not code
 
 /// How programs and libraries that a scenario names are handled. A scenario file alone never runs
 /// code: the user must allow it (--allow-code, or a prompt in the window).
@@ -166,6 +167,7 @@ class IdlePlanner : public Planner {
 struct PlannerSetup {
   std::string robot;  // name of the robot, for error messages
   RobotBody body;
+  bool hasLidar = false;
   std::vector<std::pair<std::string, double>> parameters;  // given values, already checked
   std::vector<std::pair<std::string, std::string>> texts;  // same, for specs of type Text
   Nav2Config nav2;

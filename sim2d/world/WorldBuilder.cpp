@@ -188,6 +188,7 @@ std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& 
   PlannerSetup setup;
   setup.robot = robot.name;
   setup.body = bodyOf(robot);
+  setup.hasLidar = robot.lidar.beams > 0;
   setPlannerParameters(robot, entry->parameters, setup);
   setup.nav2 = {robot.nav2Params, robot.nav2Tree, robot.nav2Distro, robot.nav2Values,
                 robot.nav2Topics};

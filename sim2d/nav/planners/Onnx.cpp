@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/nav/Planner.h"
+#include "sim2d/nav/onnx/PolicyNetwork.h"
+
+namespace sim2d {
+
+namespace {
+
+/// Drives by the actions of a network. Each one is held for `repeat` steps, as in training.
+class OnnxPlanner : public Planner {
+ public:
+  OnnxPlanner(const PlannerSetup& setup, std::unique_ptr<PolicyNetwork> network)
+      : robot_(setup.robot),
+        limits_(setup.body.limits),
+        network_(std::move(network)),
+        seen_(network_->metadata().sizes) {}
+
+  bool readsScan() const override { return network_->metadata().sizes.beams > 0; }
+
+  base::Result<BodyTwist> command(const Observation& observation) override {
+    if (stepsLeft_ == 0) {
+      seen_.fill(observation);
+      const base::Result<std::vector<float>> action = network_->action(seen_);
+      if (!action) {
+        return withRobotName(robot_, action.diagnostics());
+      }
+      twist_ = clipped(*action);
+      stepsLeft_ = network_->metadata().repeat;
+    }
+    --stepsLeft_;
+    return twist_;
+  }
+
+ private:
+  BodyTwist clipped(const std::vector<float>& action) const {
+    const auto clip = [&](std::size_t i, double low, double high) {
+      return i < action.size() ? std::clamp(static_cast<double>(action[i]), low, high) : 0.0;
+    };
+    return {clip(0, -limits_.maxReverse, limits_.maxVel),
+            clip(1, -limits_.maxOmega, limits_.maxOmega), clip(2, -limits_.maxVel, limits_.maxVel)};
+  }
+
+  const std::string robot_;
+  const DriveLimits limits_;
+  const std::unique_ptr<PolicyNetwork> network_;
+  PolicyObservation seen_;
+  BodyTwist twist_;
+  int stepsLeft_ = 0;
+};
+
+std::vector<base::ParameterSpec> onnxSpecs() {
+  base::ParameterSpec file;
+  file.key = "file";
+  file.type = base::ParameterType::Text;
+  file.fallback = std::string();
+  file.help =
+      "ONNX file of a policy that was trained with hunavsim.env, with its options as metadata; "
+      "relative to the scenario.";
+  return {file};
+}
+
+/// Whether the robot has what the policy observes and commands.
+base::Diagnostics bodyProblems(const PlannerSetup& setup, const PolicyMetadata& metadata,
+                               const std::string& file) {
+  base::Diagnostics problems;
+  if (metadata.sizes.beams > 0 && !setup.hasLidar) {
+    problems.push_back(base::error("onnx.no-lidar", {file, metadata.sizes.beams}));
+  }
+  if (metadata.actions > 2 && setup.body.kinematics != Kinematics::Omnidirectional) {
+    problems.push_back(
+        base::error("onnx.not-omnidirectional", {file, kinematicsName(setup.body.kinematics)}));
+  }
+  return withRobotName(setup.robot, problems);
+}
+
+base::Result<std::shared_ptr<Planner>> makeOnnx(const PlannerSetup& setup) {
+  const std::string file = fileParameter(setup, "file");
+  if (file.empty()) {
+    return withRobotName(setup.robot, {base::error("onnx.no-file")});
+  }
+  base::Result<std::unique_ptr<PolicyNetwork>> network = readPolicyNetwork(file);
+  if (!network) {
+    return withRobotName(setup.robot, network.diagnostics());
+  }
+  const base::Diagnostics problems = bodyProblems(setup, (*network)->metadata(), file);
+  if (!problems.empty()) {
+    return problems;
+  }
+  return std::shared_ptr<Planner>(std::make_shared<OnnxPlanner>(setup, *std::move(network)));
+}
+
+}  // namespace
+
+void addOnnx(PlannerRegistry& to);
+void addOnnx(PlannerRegistry& to) {
+  to.add(kOnnxPlanner, onnxSpecs(), makeOnnx,
+         "Learned policy in an ONNX file, computed on the CPU by OpenCV.");
+}
+
+}  // namespace sim2d
