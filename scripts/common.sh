@@ -21,7 +21,8 @@ packages_to_run=(
   fonts-dejavu-core
 )
 packages_to_read=(python3-sphinx python3-myst-parser furo)  # for the manual; without them it is left out
-packages_to_release=("${packages_to_read[@]}" appstream desktop-file-utils dpkg-dev file)
+packages_to_learn=(libopencv-dnn-dev libopencv-core-dev)  # for the planner onnx; without them it is left out
+packages_to_release=("${packages_to_read[@]}" "${packages_to_learn[@]}" appstream desktop-file-utils dpkg-dev file)
 packages_to_test=(clang-format-14 mold xvfb xauth xdotool imagemagick locales
   cyclonedds-dev cyclonedds-tools tshark
   dbus at-spi2-core python3-pyatspi)

@@ -17,6 +17,7 @@ fi
 lock_build
 need_packages "${packages[@]}"
 want_packages "${packages_to_read[@]}"
+want_packages "${packages_to_learn[@]}"
 build_preset release
 unlock_build
 keep_home_clean

@@ -257,6 +257,7 @@ lock_build
 mend_links
 need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
 want_packages "${packages_to_read[@]}"
+want_packages "${packages_to_learn[@]}"
 [ "$all" = no ] || need_packages "${packages_to_compare[@]}"
 if [ -n "$minutes" ]; then
   need_packages "${packages_to_check[@]}"

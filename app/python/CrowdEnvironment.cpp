@@ -15,8 +15,6 @@ namespace python {
 
 namespace {
 
-constexpr double kNearestRange = 15.0;  // [m], people beyond are not observed
-
 /// The index of the robot of this name among the listed robots.
 std::size_t indexOf(const sim2d::Scenario& scenario, const std::string& name) {
   std::size_t index = 0;
@@ -55,7 +53,7 @@ std::shared_ptr<sim2d::Scenario> drivenScenario(const sim2d::Scenario& scenario,
 sim2d::LidarParameters lidarOf(const EnvironmentOptions& options, double dt) {
   sim2d::LidarParameters lidar;
   lidar.beams = options.beams;
-  lidar.range = 10.0;
+  lidar.range = sim2d::kPolicyLidarRange;
   lidar.rate = 1.0 / dt;
   return lidar;
 }
@@ -74,6 +72,7 @@ struct CrowdEnvironment::Copy {
   std::vector<EpisodeEnd> ends;   // of this episode
   std::vector<double> gaps;       // to the nearest person, in the last step [m]
   std::vector<sim2d::SensedBody> bodies;
+  std::vector<sim2d::TrackedBody> tracks;  // the same bodies, as a policy observes them
   sim2d::LaserScan scan;
   bool isOver = true;
 };
@@ -147,7 +146,7 @@ void CrowdEnvironment::start(std::size_t copy) {
   const std::size_t driven = robots();
   made->nextGoals.assign(driven, 0);
   made->speeds.assign(driven, 0.0);
-  made->gaps.assign(driven, kNearestRange);
+  made->gaps.assign(driven, sim2d::kPolicyPeopleRange);
   made->ends.assign(driven, EpisodeEnd::None);
   made->goals.resize(driven, base::Vec2::Zero());
   made->distances.resize(driven, 0.0);
@@ -284,19 +283,20 @@ void CrowdEnvironment::observe(std::size_t copy) {
     of.bodies.push_back({-1 - robot, sim2d::BodyKind::Robot, pose.position, pose.heading,
                          view.robotVelocity(robot), view.robotRadius(robot), nullptr});
   }
+  of.tracks.clear();
+  for (const sim2d::SensedBody& body : of.bodies) {
+    of.tracks.push_back(
+        {body.id, body.kind, body.position, body.velocity, body.heading, body.radius});
+  }
   for (std::size_t robot = 0; robot < robots(); ++robot) {
     const std::size_t row = copy * robots() + robot;
     const std::size_t index = indices_[robot];
     const base::Pose2 pose = view.robotPose(static_cast<int>(index));
     const base::Pose2 frame{base::Vec2::Zero(), pose.heading};
-    const base::Vec2 goal = pose.toLocal(of.goals[robot]);
     const base::Vec2 velocity = frame.toLocal(view.robotVelocity(static_cast<int>(index)));
-    float* const state = observations_.state.data() + row * kStateColumns;
-    state[0] = static_cast<float>(goal.x());
-    state[1] = static_cast<float>(goal.y());
-    state[2] = static_cast<float>(velocity.x());
-    state[3] = static_cast<float>(velocity.y());
-    state[4] = static_cast<float>(of.world->frame().robots.omega[index]);
+    sim2d::writePolicyState(pose,
+                            {velocity.x(), of.world->frame().robots.omega[index], velocity.y()},
+                            of.goals[robot], observations_.state.data() + row * kStateColumns);
     observePeople(of, robot, row);
     if (options_.beams > 0) {
       of.lidars[robot].update({pose, pose, of.world->obstacles(), of.bodies, of.world->time()});
@@ -310,38 +310,19 @@ void CrowdEnvironment::observePeople(Copy& of, std::size_t robot, std::size_t ro
   const sim2d::WorldView& view = of.world->view();
   const int index = static_cast<int>(indices_[robot]);
   const base::Pose2 pose = view.robotPose(index);
-  const base::Pose2 frame{base::Vec2::Zero(), pose.heading};
-  std::vector<std::pair<double, const sim2d::SensedBody*>> near;
-  for (const sim2d::SensedBody& body : of.bodies) {
-    const double distance = (body.position - pose.position).norm();
-    if (body.kind == sim2d::BodyKind::Person && distance <= kNearestRange) {
-      near.emplace_back(distance, &body);
-    }
-  }
-  const std::size_t shown = std::min(near.size(), options_.people);
-  std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first, a.second->id) < std::pair(b.first, b.second->id);
-  });
+  const auto near = sim2d::nearestPeople(pose.position, of.tracks);
   of.gaps[robot] = near.empty()
-                       ? kNearestRange
+                       ? sim2d::kPolicyPeopleRange
                        : near.front().first - near.front().second->radius - view.robotRadius(index);
-  float* to = observations_.people.data() + row * options_.people * kPersonColumns;
-  std::fill_n(to, options_.people * kPersonColumns, 0.0F);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const base::Vec2 place = pose.toLocal(near[i].second->position);
-    const base::Vec2 velocity = frame.toLocal(near[i].second->velocity);
-    for (const double value :
-         {place.x(), place.y(), velocity.x(), velocity.y(), near[i].second->radius}) {
-      *to++ = static_cast<float>(value);
-    }
-  }
+  sim2d::writePolicyPeople(pose, near, options_.people,
+                           observations_.people.data() + row * options_.people * kPersonColumns);
 }
 
 void CrowdEnvironment::observeLidar(const Copy& of, std::size_t robot, std::size_t row) {
-  const sim2d::LaserScan* const scan = of.lidars[robot].scan();
-  float* const to = observations_.lidar.data() + row * static_cast<std::size_t>(options_.beams);
-  std::transform(scan->distances.begin(), scan->distances.end(), to,
-                 [](double distance) { return static_cast<float>(distance); });
+  const auto beams = static_cast<std::size_t>(options_.beams);
+  const base::Pose2 pose = of.world->view().robotPose(static_cast<int>(indices_[robot]));
+  sim2d::writePolicyLidar(pose, of.lidars[robot].scan(), beams,
+                          observations_.lidar.data() + row * beams);
 }
 
 void CrowdEnvironment::observeGrid(const Copy& of, std::size_t robot, std::size_t row) {
@@ -349,24 +330,15 @@ void CrowdEnvironment::observeGrid(const Copy& of, std::size_t robot, std::size_
   if (side == 0) {
     return;
   }
-  const sim2d::WorldView& view = of.world->view();
   const int index = static_cast<int>(indices_[robot]);
-  const base::Pose2 pose = view.robotPose(index);
-  const double half = 0.5 * static_cast<double>(side) * options_.gridResolution;
-  float* cell = observations_.grid.data() + row * side * side;
-  for (std::size_t i = 0; i < side; ++i) {
-    for (std::size_t j = 0; j < side; ++j) {
-      const base::Vec2 local((static_cast<double>(i) + 0.5) * options_.gridResolution - half,
-                             (static_cast<double>(j) + 0.5) * options_.gridResolution - half);
-      const base::Vec2 place = pose.toWorld(local);
-      const bool isInBody =
-          std::any_of(of.bodies.begin(), of.bodies.end(), [&](const sim2d::SensedBody& body) {
-            return body.id != -1 - index &&
-                   (body.position - place).squaredNorm() <= body.radius * body.radius;
-          });
-      *cell++ = isInBody || of.world->obstacles().isInside(place) ? 1.0F : 0.0F;
-    }
-  }
+  std::vector<sim2d::TrackedBody> others = of.tracks;
+  others.erase(std::remove_if(others.begin(), others.end(),
+                              [&](const auto& body) { return body.id == -1 - index; }),
+               others.end());
+  sim2d::writePolicyGrid(
+      of.world->view().robotPose(index), others, of.world->obstacles(),
+      {options_.people, static_cast<std::size_t>(options_.beams), side, options_.gridResolution},
+      observations_.grid.data() + row * side * side);
 }
 
 }  // namespace python

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/run/Bundle.h"
+#include "sim2d/nav/PolicyObservation.h"
 #include "sim2d/world/World.h"
 
 /// Many copies of a scenario for reinforcement learning: robots receive velocity commands, and the
@@ -37,12 +38,11 @@ struct EnvironmentOptions {
   RewardWeights weights;
 };
 
-/// Columns of a person in an observation: x, y, vx, vy, radius in the robot's frame [m], [m/s].
-constexpr std::size_t kPersonColumns = 5;
-/// Columns of the rest: goal x, y in the robot's frame [m]; velocity vx, vy [m/s], omega [rad/s].
-constexpr std::size_t kStateColumns = 5;
+constexpr std::size_t kPersonColumns = sim2d::kPolicyPersonColumns;
+constexpr std::size_t kStateColumns = sim2d::kPolicyStateColumns;
 
-/// Observations of all robots of all copies; robot r of copy c is row c * robots + r.
+/// Observations of all robots of all copies (PolicyObservation.h); robot r of copy c is row c *
+/// robots + r.
 struct Observations {
   std::vector<float> state;   // rows x kStateColumns
   std::vector<float> people;  // rows x people x kPersonColumns; nearest first, then zeros

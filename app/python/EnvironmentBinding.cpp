@@ -104,6 +104,17 @@ py::tuple limitsOf(const CrowdEnvironment& environment, std::size_t robot) {
                         body.kinematics == sim2d::Kinematics::Omnidirectional);
 }
 
+py::dict policyOptionsOf(const CrowdEnvironment& environment) {
+  const EnvironmentOptions& options = environment.options();
+  py::dict result;
+  result["people"] = options.people;
+  result["beams"] = options.beams;
+  result["grid_cells"] = options.gridCells;
+  result["grid_resolution"] = options.gridResolution;
+  result["repeat"] = options.repeat;
+  return result;
+}
+
 }  // namespace
 
 void addEnvironment(py::module_& module) {
@@ -151,6 +162,9 @@ void addEnvironment(py::module_& module) {
           "robots",
           [](const CrowdEnvironment& environment) { return environment.options().robots; })
       .def_property_readonly("dt", &CrowdEnvironment::dt, "Time step [s].")
+      .def_property_readonly("options", &policyOptionsOf,
+                             "Options that a trained policy depends on: people, beams, grid_cells, "
+                             "grid_resolution [m] and repeat.")
       .def("limits", &limitsOf, py::arg("robot") = 0,
            "(max v, max reverse v [m/s], max omega [rad/s], is omnidirectional) of a robot.");
 }

@@ -1850,6 +1850,14 @@
         <translation>Coste de cambiar la velocidad en los límites de la tracción todo el tiempo.</translation>
     </message>
     <message>
+        <source>Learned policy in an ONNX file, computed on the CPU by OpenCV.</source>
+        <translation>Política aprendida en un archivo ONNX, que OpenCV calcula en la CPU.</translation>
+    </message>
+    <message>
+        <source>ONNX file of a policy that was trained with hunavsim.env, with its options as metadata; relative to the scenario.</source>
+        <translation>Archivo ONNX de una política entrenada con hunavsim.env, con sus opciones como metadatos; relativo al escenario.</translation>
+    </message>
+    <message>
         <source>Optimal reciprocal collision avoidance (ORCA) for the kinematics of the robot (NH-ORCA).</source>
         <translation>Evitación recíproca óptima de colisiones (ORCA) para la cinemática del robot (NH-ORCA).</translation>
     </message>

@@ -1850,6 +1850,14 @@
         <translation>始终以驱动极限改变速度的代价。</translation>
     </message>
     <message>
+        <source>Learned policy in an ONNX file, computed on the CPU by OpenCV.</source>
+        <translation>ONNX 文件中的学习策略，由 OpenCV 在 CPU 上计算。</translation>
+    </message>
+    <message>
+        <source>ONNX file of a policy that was trained with hunavsim.env, with its options as metadata; relative to the scenario.</source>
+        <translation>用 hunavsim.env 训练的策略的 ONNX 文件，其元数据包含环境选项；相对于场景的路径。</translation>
+    </message>
+    <message>
         <source>Optimal reciprocal collision avoidance (ORCA) for the kinematics of the robot (NH-ORCA).</source>
         <translation>适用于机器人运动学的最优互惠避碰 (ORCA)（NH-ORCA）。</translation>
     </message>

@@ -79,7 +79,8 @@ class ListProgramTest : public QObject {
     row("models", {text("sfm"), text("das"), text("orca")});
     row("robots", {text("generic"), text("tiago"), text("pepper")});
     row("planners", {text("pursuit"), text("dwa"), text("social_mppi"), text("external"),
-                     text("library"), text("replay"), text("teleop"), text("ros2"), text("nav2")});
+                     text("library"), text("onnx"), text("replay"), text("teleop"), text("ros2"),
+                     text("nav2")});
     row("scenarios", {text("corner_cafe_agents"), text("two_workers_agents")});
   }
   void everyList_namesWhatThereIs() {

@@ -10,6 +10,7 @@ void addDwa(PlannerRegistry& to);
 void addExternal(PlannerRegistry& to);
 void addLibrary(PlannerRegistry& to);
 void addMppi(PlannerRegistry& to);
+void addOnnx(PlannerRegistry& to);
 void addOrcaPlanner(PlannerRegistry& to);
 void addReplay(PlannerRegistry& to);
 void addSocialForcePlanner(PlannerRegistry& to);

@@ -12,9 +12,11 @@ adds "HuNavSim/Crowd-v0":
 Observations are dicts of float32 arrays in the robot's frame: `state` (goal x, y [m], velocity vx,
 vy [m/s], omega [rad/s]), `people` (nearest first, rows x, y, vx, vy, radius, zeros behind them),
 `lidar` (distances [m], counter-clockwise from behind) and, with `grid_cells`, `grid` (1 occupied).
-Actions are v [m/s] and omega [rad/s], for an omnidirectional robot also the lateral v.
+Actions are v [m/s] and omega [rad/s], for an omnidirectional robot also the lateral v. The planner
+`onnx` runs a trained policy without Python; policy_metadata() has what its file must say.
 """
 
+import json
 from collections import namedtuple
 
 import numpy
@@ -37,6 +39,7 @@ OUTCOMES = {ARRIVED: "arrived", COLLIDED: "collided", TIMED_OUT: "timed_out"}
 
 Box = namedtuple("Box", "low high shape dtype")
 LIDAR_RANGE = 10.0  # [m]
+POLICY_FORMAT = 1  # of policy_metadata()
 
 
 def _box(low, high, shape):
@@ -234,6 +237,18 @@ class CrowdParallelEnv(pettingzoo.ParallelEnv if pettingzoo else object):
         rows = {agent: index for index, agent in enumerate(self.possible_agents)}
         return {agent: {key: array[rows[agent]].copy() for key, array in all_rows.items()}
                 for agent in agents}
+
+
+def policy_metadata(env):
+    """The options of an environment as text for the metadata `hunavsim_policy` of an ONNX file.
+
+    With them the planner `onnx` drives robots by a policy that was trained in this environment. Of
+    a CrowdParallelEnv, the number of actions is that of the first agent.
+    """
+    core = getattr(env, "unwrapped", env)
+    core = getattr(core, "_vector", core)._core
+    return json.dumps({"format": POLICY_FORMAT, **core.options,
+                       "actions": 3 if core.limits(0)[3] else 2})
 
 
 def register():

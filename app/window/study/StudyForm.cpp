@@ -27,8 +27,8 @@ QString quoted(const QString& text) {
 /// Whether the planner needs a program, a file or manual control and cannot be selected by name.
 bool needsConfiguration(const QString& planner) {
   static const QStringList kAll = {QStringLiteral("external"), QStringLiteral("library"),
-                                   QStringLiteral("replay"), QStringLiteral("teleop"),
-                                   QStringLiteral("ros2")};
+                                   QStringLiteral("onnx"),     QStringLiteral("replay"),
+                                   QStringLiteral("teleop"),   QStringLiteral("ros2")};
   return kAll.contains(planner);
 }
 
