@@ -47,7 +47,7 @@ Value guarded(Work work, Value failed, char* error, size_t size) {
   return failed;
 }
 
-/// One thread, and the same code on every processor: sums have one order.
+/// One thread, and OpenCV's same code on every processor: sums have one order.
 void configureOpenCv() {
   static std::once_flag done;
   std::call_once(done, [] {
