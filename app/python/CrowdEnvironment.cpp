@@ -63,7 +63,7 @@ sim2d::LidarParameters lidarOf(const EnvironmentOptions& options, double dt) {
 /// One copy of the scenario with its episode.
 struct CrowdEnvironment::Copy {
   std::unique_ptr<sim2d::World> world;
-  std::vector<sim2d::Lidar> lidars;  // per driven robot
+  std::vector<sim2d::Lidar> lidars;  // per driven robot; none without beams
   std::vector<base::Vec2> goals;     // current goal per driven robot
   std::vector<std::vector<base::Vec2>> goalLists;
   std::vector<std::size_t> nextGoals;
@@ -140,7 +140,9 @@ void CrowdEnvironment::start(std::size_t copy) {
     const sim2d::ResolvedRobot resolved = sim2d::resolveRobot(*scenario, robot, id--);
     if (std::find(indices_.begin(), indices_.end(), index++) != indices_.end()) {
       made->goalLists.push_back(resolved.goals);
-      made->lidars.emplace_back(lidarOf(options_, dt_), seedOf(copy), resolved.id);
+      if (options_.beams > 0) {
+        made->lidars.emplace_back(lidarOf(options_, dt_), seedOf(copy), resolved.id);
+      }
     }
   }
   const std::size_t driven = robots();

@@ -167,14 +167,14 @@ class IdlePlanner : public Planner {
 struct PlannerSetup {
   std::string robot;  // name of the robot, for error messages
   RobotBody body;
-  bool hasLidar = false;
   std::vector<std::pair<std::string, double>> parameters;  // given values, already checked
   std::vector<std::pair<std::string, std::string>> texts;  // same, for specs of type Text
   Nav2Config nav2;
   double goalRadius = 0.2;  // [m]
   double dt = 0.05;         // [s], time step of the world
   std::uint64_t seed = 1;
-  int robotId = -1;     // random draws depend on this and the seed
+  int robotId = -1;  // random draws depend on this and the seed
+  bool hasLidar = false;
   std::string command;  // program of an external planner; see `splitCommandLine`
   std::string folder;   // base of relative paths; empty: current directory
   ExternalCodePolicy code = ExternalCodePolicy::Refused;

@@ -46,6 +46,7 @@ sim2d::Scenario crossing(int beams) {
   robot.lidar.beams = beams;
   robot.lidar.range = 10.0;
   robot.lidar.rate = 20.0;  // one scan per step
+  robot.lidar.noise = robot.lidar.x = robot.lidar.y = robot.lidar.h = 0.0;
   robot.detector.kind = sim2d::DetectorKind::GroundTruth;
   robot.planner = "onnx";
   robot.plannerParameters = {{"file", "policy.onnx"}};
@@ -63,7 +64,7 @@ onnxfile::LinearPolicy curvingPolicy(int beams) {
     size += static_cast<std::size_t>(beams);
   }
   policy.rows.assign(2, std::vector<float>(size, 0.0F));
-  policy.offsets = {0.1F, 0.05F};
+  policy.offsets = {0.1F, 0.25F};
   policy.rows[0][0] = 0.06F;
   policy.rows[0][2] = -0.1F;
   policy.rows[1][1] = 0.4F;
@@ -141,7 +142,7 @@ class OnnxRunsTest : public QObject {
                               .arg(goal.y())
                               .arg(static_cast<double>(state[0]))
                               .arg(static_cast<double>(state[1]))));
-      hasTurned = hasTurned || std::fabs(pose.heading) > 0.2;
+      hasTurned = hasTurned || std::fabs(pose.heading) > 0.1;
       environment.step(actionOf(policy, environment.observations()).data(), 2);
       for (int i = 0; i < repeat; ++i) {
         QVERIFY(verdict.world->step());
