@@ -123,7 +123,7 @@ class OnnxPlannerTest : public QObject {
     QCOMPARE(codesOf(make({}).diagnostics()), std::string("onnx.no-file"));
     const auto gone = makeFrom("gone.onnx");
     QVERIFY2(base::hasErrors(gone.diagnostics()) &&
-                 base::endsWith(gone.diagnostics().front().file, "/gone.onnx"),
+                 messageOf(gone.diagnostics()).contains("/gone.onnx: "),
              messageOf(gone.diagnostics()));
     QCOMPARE(codesOf(make("version https://git-lfs.github.com/spec/v1\n").diagnostics()),
              std::string("file.lfs-pointer"));
@@ -221,7 +221,8 @@ class OnnxPlannerTest : public QObject {
     graph.replace(graph.find("Gemm"), 4, "Gexx");
     const auto unknown = make(onnxfile::model(graph, stateMetadata()));
     QCOMPARE(codesOf(unknown.diagnostics()), std::string("onnx.not-loaded"));
-    QVERIFY(base::endsWith(unknown.diagnostics().front().file, "/policy.onnx"));
+    QVERIFY2(messageOf(unknown.diagnostics()).contains("/policy.onnx: OpenCV cannot read"),
+             messageOf(unknown.diagnostics()));
     policy.offsets[1] = std::numeric_limits<float>::quiet_NaN();
     QCOMPARE(codesOf(make(onnxfile::model(policy.graph(), stateMetadata())).diagnostics()),
              std::string("onnx.not-finite"));

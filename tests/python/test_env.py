@@ -1,5 +1,6 @@
 """Learning environments: observations and rewards by geometry, determinism, the two interfaces."""
 
+import json
 import math
 import unittest
 
@@ -91,6 +92,20 @@ class ObservationTest(unittest.TestCase):
         x, y = observation["state"][:2]
         self.assertAlmostEqual(math.hypot(x, y), math.hypot(10.0, 1.0), places=4)
         self.assertLess(math.atan2(y, x), math.atan2(-1.0, 10.0) - 0.3)  # it has turned left
+
+
+class PolicyMetadataTest(unittest.TestCase):
+    def test_options_are_those_of_the_environment(self):
+        options = dict(beams=8, people=3, grid_cells=40, grid_resolution=0.2, repeat=2)
+        wanted = {"format": 1, "actions": 2, **options}
+        single = environments.CrowdEnv(scene(), variation=None, **options)
+        several = environments.CrowdVectorEnv(2, scene(), variation=None, **options)
+        agents = environments.CrowdParallelEnv(scene(TWO_ROBOTS), variation=None, **options)
+        for env in (single, several, agents):
+            self.assertEqual(json.loads(environments.policy_metadata(env)), wanted)
+        sideways = scene(SCENE.replace("radius: 0.3", "radius: 0.3\n      kinematics: omnidirectional"))
+        env = environments.CrowdEnv(sideways, variation=None)
+        self.assertEqual(json.loads(environments.policy_metadata(env))["actions"], 3)
 
 
 class RewardTest(unittest.TestCase):

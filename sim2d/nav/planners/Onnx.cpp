@@ -11,6 +11,18 @@ namespace sim2d {
 
 namespace {
 
+/// The problems with the names of robot and file in their texts: their place is that of the robot
+/// in the scenario.
+base::Diagnostics problemsOfPolicy(const std::string& robot, base::Diagnostics problems) {
+  for (base::Diagnostic& problem : problems) {
+    if (!problem.file.empty()) {
+      const std::string file = std::exchange(problem.file, {});
+      problem = base::withContext(file, std::move(problem));
+    }
+  }
+  return withRobotName(robot, std::move(problems));
+}
+
 /// Drives by the actions of a network. Each one is held for `repeat` steps, as in training.
 class OnnxPlanner : public Planner {
  public:
@@ -27,7 +39,7 @@ class OnnxPlanner : public Planner {
       seen_.fill(observation);
       const base::Result<std::vector<float>> action = network_->action(seen_);
       if (!action) {
-        return withRobotName(robot_, action.diagnostics());
+        return problemsOfPolicy(robot_, action.diagnostics());
       }
       twist_ = clipped(*action);
       stepsLeft_ = network_->metadata().repeat;
@@ -85,7 +97,7 @@ base::Result<std::shared_ptr<Planner>> makeOnnx(const PlannerSetup& setup) {
   }
   base::Result<std::unique_ptr<PolicyNetwork>> network = readPolicyNetwork(file);
   if (!network) {
-    return withRobotName(setup.robot, network.diagnostics());
+    return problemsOfPolicy(setup.robot, network.diagnostics());
   }
   const base::Diagnostics problems = bodyProblems(setup, (*network)->metadata(), file);
   if (!problems.empty()) {
