@@ -239,8 +239,8 @@ bool doesFit(const std::vector<std::int64_t>& declared, const std::vector<std::i
                     [](std::int64_t a, std::int64_t b) { return a <= 0 || a == b; });
 }
 
-void checkShape(const DeclaredTensor& tensor, const std::vector<std::int64_t>& wanted,
-                const std::string& file, base::Diagnostics& problems) {
+void checkTensorShape(const DeclaredTensor& tensor, const std::vector<std::int64_t>& wanted,
+                      const std::string& file, base::Diagnostics& problems) {
   if (tensor.hasShape && !doesFit(tensor.shape, wanted)) {
     problems.push_back(base::error(
         "onnx.wrong-shape", {tensor.name, shapeText(tensor.shape), shapeText(wanted)}, file));
@@ -257,7 +257,7 @@ base::Diagnostics tensorProblems(const OnnxModel& model, const PolicyMetadata& m
     if (found == model.inputs.end()) {
       problems.push_back(base::error("onnx.no-input", {input.name}, file));
     } else {
-      checkShape(*found, {input.shape.begin(), input.shape.end()}, file, problems);
+      checkTensorShape(*found, {input.shape.begin(), input.shape.end()}, file, problems);
     }
   }
   for (const DeclaredTensor& input : model.inputs) {
@@ -271,7 +271,7 @@ base::Diagnostics tensorProblems(const OnnxModel& model, const PolicyMetadata& m
   if (model.outputs.size() != 1 || model.outputs.front().name != kPolicyOutput) {
     problems.push_back(base::error("onnx.wrong-output", {kPolicyOutput}, file));
   } else {
-    checkShape(model.outputs.front(), {1, metadata.actions}, file, problems);
+    checkTensorShape(model.outputs.front(), {1, metadata.actions}, file, problems);
   }
   return problems;
 }
