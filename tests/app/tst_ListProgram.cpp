@@ -78,9 +78,9 @@ class ListProgramTest : public QObject {
     row("keys", {text("ROBOT.planner"), text("seed")});
     row("models", {text("sfm"), text("das"), text("orca")});
     row("robots", {text("generic"), text("tiago"), text("pepper")});
-    row("planners", {text("pursuit"), text("dwa"), text("social_mppi"), text("external"),
-                     text("library"), text("onnx"), text("replay"), text("teleop"), text("ros2"),
-                     text("nav2")});
+    row("planners",
+        {text("pursuit"), text("dwa"), text("social_mppi"), text("external"), text("library"),
+         text("onnx"), text("replay"), text("teleop"), text("ros2"), text("nav2")});
     row("scenarios", {text("corner_cafe_agents"), text("two_workers_agents")});
   }
   void everyList_namesWhatThereIs() {

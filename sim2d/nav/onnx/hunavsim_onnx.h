@@ -35,9 +35,9 @@ hunavsim_onnx_network* hunavsim_onnx_load(const char* bytes, size_t size,
                                           char* error, size_t error_size);
 
 /// Computes the output from one array of values per input and writes its `action_count` values to
-/// `action`. 0: success. Equal inputs give equal bits; on another processor the last bits of functions
-/// such as tanh, which the C library computes, may differ. A network is used by one thread at a
-/// time; different ones at the same time.
+/// `action`. 0: success. Equal inputs give equal bits; on another processor the last bits of
+/// functions such as tanh, which the C library computes, may differ. A network is used by one
+/// thread at a time; different ones at the same time.
 int32_t hunavsim_onnx_run(hunavsim_onnx_network* network, const float* const* inputs, float* action,
                           size_t action_count, char* error, size_t error_size);
 
