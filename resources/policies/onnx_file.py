@@ -4,8 +4,6 @@ Field numbers are those of https://github.com/onnx/onnx/blob/main/onnx/onnx.prot
 operator set 11, which OpenCV 4.6 reads).
 """
 
-import struct
-
 import numpy
 
 _FLOAT = 1  # TensorProto.DataType
@@ -69,9 +67,11 @@ class Graph:
 
     def dense(self, value, weights, bias, output):
         """Adds output = value @ weights + bias, as Gemm; returns its name."""
-        self._weights.append(_bytes(5, _tensor(output + "_weights", weights)))
+        # Transposed: OpenCV 4.6 does not know the default of transB.
+        self._weights.append(_bytes(5, _tensor(output + "_weights", numpy.transpose(weights))))
         self._weights.append(_bytes(5, _tensor(output + "_bias", bias)))
-        return self.add("Gemm", [value, output + "_weights", output + "_bias"], output)
+        return self.add("Gemm", [value, output + "_weights", output + "_bias"], output,
+                        transB=1)
 
     def output(self, name, shape):
         """Declares a computed value as an output."""

@@ -37,11 +37,18 @@ WEIGHTS = 0.85 ** numpy.arange(STEPS, dtype=numpy.float32)  # the future is unce
 
 
 def _people_cost(people):
-    """Cost [m s] of nearness and contact per world and command."""
-    reached = people[:, :, None, :2] + people[:, :, None, 2:4] * TIMES[None, None, :, None]
-    difference = PLACES[None, :, None] - reached[:, None]  # worlds, commands, people, steps, 2
-    gaps = numpy.sqrt(numpy.square(difference).sum(-1)) - people[:, None, :, 4:] - ROBOT_RADIUS
-    gaps = numpy.where(people[:, None, :, 4:] > 0.0, gaps, PERSONAL).min(axis=2)
+    """Cost of nearness and contact with people per world and command."""
+    is_present = people[..., 4] > 0.0
+    squares = None
+    for axis in range(2):
+        reached = people[:, :, axis, None] + people[:, :, 2 + axis, None] * TIMES
+        reached[~is_present] = 100.0
+        # Axes: worlds, commands, people, steps.
+        part = PLACES[None, :, None, :, axis] - reached[:, None]
+        part *= part
+        squares = part if squares is None else numpy.add(squares, part, out=squares)
+    radius = people[..., 4].max(axis=1)[:, None, None]  # of the largest person
+    gaps = numpy.sqrt(squares.min(axis=2)) - radius - ROBOT_RADIUS
     return _nearness(gaps, PERSONAL, 0.15)
 
 
@@ -99,15 +106,18 @@ def _subgoals(goal, points):
     return result
 
 
-def _obstacle_cost(points):
-    """Cost per world and command of driving near points that stand still."""
+def _obstacle_cost(points, distance):
+    """Cost per world and command of driving near points, up to the distance of the goal."""
     points = numpy.where(numpy.abs(points).max(-1, keepdims=True) > NEAR, 100.0, points)
     points = points.astype(numpy.float32)
-    flat = PLACES.reshape(-1, 2)
+    places = PLACES[:, 1::2]  # every other step is dense enough
+    flat = places.reshape(-1, 2)
     squares = ((flat**2).sum(-1)[None, :, None] + (points**2).sum(-1)[:, None]
                - 2.0 * flat[None] @ points.transpose(0, 2, 1))
     gaps = numpy.sqrt(numpy.maximum(squares.min(-1), 0.0)) - ROBOT_RADIUS
-    gaps = gaps.reshape(len(points), *PLACES.shape[:2])
+    gaps = numpy.repeat(gaps.reshape(len(points), *places.shape[:2]), 2, axis=-1)
+    driven = numpy.repeat(numpy.abs(COMMANDS[:, :1]) * TIMES[1::2], 2, axis=-1)
+    gaps = numpy.where(driven > distance[:, None, None], 10.0, gaps)
     # What lies behind a wall is not reached, so a contact lasts until the end of the horizon.
     gaps = numpy.minimum.accumulate(gaps, axis=-1)
     return _nearness(gaps, 0.25, 0.12)
@@ -120,12 +130,14 @@ def decide(observations):
     cost = 0.9 * _people_cost(people)
     if "lidar" in observations:
         points = _points(observations["lidar"], people)
-        cost += 1.5 * _obstacle_cost(points)
+        cost += 1.5 * _obstacle_cost(points, numpy.linalg.norm(goal, axis=-1))
         goal = _subgoals(goal, points)
     distance = numpy.linalg.norm(goal, axis=-1)[:, None]
     left = numpy.linalg.norm(goal[:, None, None] - PLACES[None], axis=-1)  # worlds, commands, steps
     cost -= (distance - left[..., 3]) + 0.5 * (distance - left.min(-1))
-    cost += 0.05 * numpy.square(COMMANDS[:, 1]) + 0.3 * (COMMANDS[:, 0] < 0.0)
+    cost += 0.05 * numpy.square(COMMANDS[:, 1]) + 0.5 * (COMMANDS[:, 0] < 0.0)
+    bearing = numpy.arctan2(goal[:, 1:], goal[:, :1])
+    cost += 0.3 * (1.0 - numpy.cos(bearing - COMMANDS[:, 1] * TURNING)) * numpy.minimum(distance, 1)
     motion = state[:, None, [2, 4]]
     cost += (numpy.square(COMMANDS[None] - motion) * numpy.float32([0.1, 0.05])).sum(-1)
     # A soft choice: the mean of the best commands follows small changes of the scene smoothly.

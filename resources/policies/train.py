@@ -6,7 +6,7 @@
 2. Reinforcement learning (Schulman et al. 2017, proximal policy optimization) on the environment's
    reward.
 
-The policy with the highest mean return on seeds 101 to 120 is written. Equal options give equal
+The policy with the highest mean return on seeds from 101 on is written. Equal options give equal
 files on one machine. Needs numpy and the module hunavsim; see README.md.
 """
 
@@ -30,12 +30,15 @@ from worlds import episodes
 
 REPEAT = 4  # steps of the world per decision
 BATCH = 25  # worlds per job
+TAIL = 2  # worlds that may be left when a batch ends
 SEEDS = 100  # training uses the seeds 1 to 100
 VALIDATION = 101  # first seed of the episodes that choose the policy
 ACTION_SCALE = numpy.array([0.65, 1.5], numpy.float32)  # tanh in [-1, 1] to v [m/s], omega [rad/s]
 ACTION_OFFSET = numpy.array([0.35, 0.0], numpy.float32)
 DISCOUNT, TRACE = 0.98, 0.95  # of rewards, of advantages
 CLIP = 0.2
+SPREAD = numpy.float32(0.15)  # standard deviation of the exploration, in the scale of tanh
+RATE = 2e-4  # of learning, in the second phase
 
 # Scenes with the number of batches of each round.
 POLICIES = {
@@ -43,9 +46,8 @@ POLICIES = {
                         "scenes": {"crossing_agents": 3, "crowd_agents": 1, "classic_circle": 1}},
     "crowd_policy": {"people": 10, "beams": 48,
                      "scenes": {"crossing_agents": 1, "crowd_agents": 1, "corridor_pass_agents": 1,
-                                "doorway_agents": 1, "blind_corner_agents": 1,
-                                "classic_doorway": 1, "classic_circle": 1,
-                                "classic_frontal": 1}},
+                                "doorway_agents": 2, "blind_corner_agents": 1,
+                                "classic_circle": 1}},
 }
 
 
@@ -86,8 +88,10 @@ def imitate(job):
     disturbed = numpy.zeros(BATCH, int)
     disturbance = numpy.zeros((BATCH, 2), numpy.float32)
     parts = []
-    while worlds.active.any():
-        taught = teacher.decide(observations)
+    while worlds.active.sum() > TAIL:
+        taught = numpy.zeros((BATCH, 2), numpy.float32)
+        taught[worlds.active] = teacher.decide({key: array[worlds.active]
+                                                for key, array in observations.items()})
         part = shown(network, observations, worlds.active)
         part["taught"] = taught[worlds.active]
         parts.append(part)
@@ -104,35 +108,39 @@ def imitate(job):
 
 def explore(job):
     """Drives a batch with noise; returns what was seen and done, with advantages and returns."""
-    network, critic, scene, first, spread, seed = job
+    network, critic, scene, first, seed = job
     generator = numpy.random.default_rng(seed)
     worlds = episodes(scene, BATCH, network.beams, REPEAT)
     observations = worlds.reset(first)
     parts, rewards, values, actives = [], [], [], []
-    while worlds.active.any():
+    while worlds.active.sum() > TAIL:
         active = worlds.active
         everyone = shown(network, observations, slice(None))
         inputs = network.inputs(everyone)
         noise = generator.standard_normal((BATCH, 2)).astype(numpy.float32)
-        everyone["done"] = numpy.tanh(network.forward(inputs)[0]) + spread * noise
+        everyone["done"] = numpy.tanh(network.forward(inputs)[0]) + SPREAD * noise
         everyone["surprise"] = 0.5 * numpy.square(noise).sum(axis=1)
         values.append(critic.forward(inputs)[0][:, 0])
         observations, reward = worlds.step(actions_of(numpy.clip(everyone["done"], -1.0, 1.0)))
         parts.append(everyone)
         rewards.append(reward)
         actives.append(active)
+    last = critic.forward(network.inputs(shown(network, observations, slice(None))))[0][:, 0]
     advantages, returns = advantages_of(numpy.array(rewards), numpy.array(values),
-                                        numpy.array(actives))
+                                        numpy.array(actives), last * worlds.active)
     rows = numpy.array(actives).reshape(-1)
     batch = {key: array[rows] for key, array in joined(parts).items()}
     batch["advantage"], batch["return"] = advantages.reshape(-1)[rows], returns.reshape(-1)[rows]
     return batch, worlds.outcomes, numpy.sum(rewards, axis=0)
 
 
-def advantages_of(rewards, values, actives):
-    """Generalized advantages (Schulman et al. 2016) and returns; rows are decisions."""
+def advantages_of(rewards, values, actives, next_value):
+    """Generalized advantages (Schulman et al. 2016) and returns.
+
+    Rows are decisions; next_value: what is expected after the last one.
+    """
     advantages = numpy.zeros(rewards.shape, numpy.float32)
-    following, next_value = numpy.zeros(rewards.shape[1]), numpy.zeros(rewards.shape[1])
+    following = numpy.zeros(rewards.shape[1])
     for row in range(len(rewards) - 1, -1, -1):
         error = rewards[row] + DISCOUNT * next_value - values[row]
         following = numpy.where(actives[row], error + DISCOUNT * TRACE * following, 0.0)
@@ -161,8 +169,8 @@ class Curve:
 
     COLUMNS = "phase,round,decisions,success,contact,return,loss"
 
-    def __init__(self, rounds):
-        self.rows = []
+    def __init__(self, path, rounds):
+        self.rows, self._path = [], path
         self.best, self.best_return = None, -numpy.inf
         self._begin, self._rounds, self._done = time.monotonic(), rounds, 0
 
@@ -175,11 +183,12 @@ class Curve:
                          f"{mean_return:.4f},{loss:.5f}")
         spent = time.monotonic() - self._begin
         left = spent / self._done * (self._rounds - self._done)
+        self.save()
         print(f"{self.rows[-1]}  ({spent:.0f} s, {left:.0f} s left)", flush=True)
 
-    def save(self, path):
+    def save(self):
         """Writes the rows as CSV."""
-        path.write_text("\n".join([self.COLUMNS, *self.rows]) + "\n", encoding="utf-8")
+        self._path.write_text("\n".join([self.COLUMNS, *self.rows]) + "\n", encoding="utf-8")
 
 
 class Trainer:
@@ -191,7 +200,8 @@ class Trainer:
         make = lambda outputs: Network(settings["people"], settings["beams"], outputs,
                                        self._generator)
         self.network, self._critic = make(2), make(1)
-        self.curve = Curve(options.imitation + options.reinforcement)
+        self.curve = Curve(options.out / f"{options.policy}.csv",
+                           options.imitation + options.reinforcement)
         self._memory = []
 
     def _jobs(self, number):
@@ -213,6 +223,9 @@ class Trainer:
             self.curve.best_return = mean_return
             self.curve.best = {name: value.copy()
                                for name, value in self.network.parameters.items()}
+            name = self._options.policy
+            path = self._options.out / f"{name}.onnx"
+            path.write_bytes(onnx_bytes(self.network, name))
         return outcomes, mean_return
 
     def imitate(self):
@@ -220,14 +233,17 @@ class Trainer:
         adam = Adam(self.network)
         rounds = self._options.imitation
         for number in range(rounds):
-            share = max(0.2, 1.0 - number / 4)
+            share = max(0.2, 0.8 - number / 5)
             jobs = [(self.network, scene, first, share, seed)
                     for scene, first, seed in self._jobs(number)]
             results = self._pool.map(imitate, jobs, chunksize=1)
             self._memory += [each[0] for each in results]
             data = joined(self._memory)
             is_last = number == rounds - 1
-            loss = self._fit(adam, data, 5 if is_last else 2, 3e-4 if is_last else 1e-3)
+            loss = self._fit(adam, data, 2, 1e-3)
+            if is_last:
+                for rate in (5e-4, 2e-4, 1e-4):
+                    loss = self._fit(adam, data, 3, rate)
             outcomes, mean_return = numpy.concatenate([each[1] for each in results]), numpy.nan
             if is_last:
                 outcomes, mean_return = self.validate()
@@ -260,21 +276,19 @@ class Trainer:
         rounds = self._options.reinforcement
         decisions = 0
         for number in range(rounds):
-            spread = 0.2 - 0.1 * number / max(1, rounds)
-            jobs = [(self.network, self._critic, scene, first, numpy.float32(spread), seed)
+            jobs = [(self.network, self._critic, scene, first, seed)
                     for scene, first, seed in self._jobs(number)]
             results = self._pool.map(explore, jobs, chunksize=1)
             data = joined([each[0] for each in results])
             decisions += len(data["state"])
             inputs = self.network.inputs(data)
-            rate = 3e-4 * (1.0 - 0.8 * number / rounds)
             loss = self._fit_critic(critic_adam, inputs, data["return"])
             if number >= 3:  # the critic knows the policy by then
-                self._improve(adam, inputs, data, spread, rate)
+                self._improve(adam, inputs, data)
             outcomes = numpy.concatenate([each[1] for each in results])
             mean_return = float(numpy.mean([each[2] for each in results]))
             self.curve.add("reinforcement", number + 1, decisions, outcomes, mean_return, loss)
-            if number % 10 == 9 or number == rounds - 1:
+            if number % 5 == 4 or number == rounds - 1:
                 outcomes, mean_return = self.validate()
                 print(f"  validation: success {numpy.mean(outcomes == 'arrived'):.3f}, "
                       f"return {mean_return:.3f}", flush=True)
@@ -291,7 +305,7 @@ class Trainer:
                 adam.step(self._critic.backward(kept, error / len(rows)), 1e-3)
         return total / len(returns)
 
-    def _improve(self, adam, inputs, data, spread, rate):
+    def _improve(self, adam, inputs, data):
         """Steps of the clipped objective, until the policy has changed enough."""
         advantages = data["advantage"]
         advantages = (advantages - advantages.mean()) / (advantages.std() + 1e-6)
@@ -301,14 +315,14 @@ class Trainer:
                 output, kept = self.network.forward({key: each[rows]
                                                      for key, each in inputs.items()})
                 value = numpy.tanh(output)
-                offset = (data["done"][rows] - value) / spread
+                offset = (data["done"][rows] - value) / SPREAD
                 log_ratio = data["surprise"][rows] - 0.5 * numpy.square(offset).sum(axis=1)
                 ratio, gain = numpy.exp(log_ratio), advantages[rows]
                 changes.append(float(numpy.mean(ratio - 1.0 - log_ratio)))
                 is_used = numpy.where(gain > 0, ratio < 1.0 + CLIP, ratio > 1.0 - CLIP)
                 factor = -(gain * ratio * is_used) / len(rows)
-                slope = factor[:, None] * offset / spread * (1.0 - numpy.square(value))
-                adam.step(self.network.backward(kept, slope.astype(numpy.float32)), rate)
+                slope = factor[:, None] * offset / SPREAD * (1.0 - numpy.square(value))
+                adam.step(self.network.backward(kept, slope.astype(numpy.float32)), RATE)
             if numpy.mean(changes) > 0.02:
                 break
 
@@ -346,7 +360,7 @@ def parse(arguments):
     parser.add_argument("--seed", type=int, default=1, help="of all random numbers (default: 1)")
     parser.add_argument("--imitation", type=int, default=12, help="rounds (default: 12)")
     parser.add_argument("--reinforcement", type=int, default=100, help="rounds (default: 100)")
-    parser.add_argument("--validation", type=int, default=20, help="episodes per scene (20)")
+    parser.add_argument("--validation", type=int, default=15, help="episodes per scene (15)")
     parser.add_argument("--scenes", nargs="+", metavar="NAME", help="instead of the policy's own")
     parser.add_argument("--processes", type=int, default=2, help="(default: 2)")
     return parser.parse_args(arguments)
@@ -362,13 +376,8 @@ def main(arguments=None):
     with multiprocessing.get_context("fork").Pool(options.processes) as pool:
         trainer = Trainer(settings, options, pool)
         trainer.imitate()
-        imitated = onnx_bytes(trainer.network, options.policy)
-        (options.out / f"{options.policy}.onnx").write_bytes(imitated)
         trainer.reinforce()
     trainer.network.parameters = trainer.curve.best
-    (options.out / f"{options.policy}.onnx").write_bytes(
-        onnx_bytes(trainer.network, options.policy))
-    trainer.curve.save(options.out / f"{options.policy}.csv")
     return trainer.network
 
 

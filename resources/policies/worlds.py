@@ -4,10 +4,18 @@ import numpy
 
 from hunavsim.env import CrowdVectorEnv
 
-TEACHER_PEOPLE = 24  # the teacher sees more people than the policies
-DURATION = 60.0  # [s]
+TEACHER_PEOPLE = 16  # the teacher sees more people than the policies
+DURATION = 45.0  # [s]
 WEIGHTS = {"time": -0.1, "jerk": -0.02}  # of the reward; the others are the environment's
 _MODULUS = 2**53
+
+
+def seed_of(first):
+    """The seed for CrowdVectorEnv.reset with which the world of copy 0 has the seed `first`.
+
+    The environment makes the seed of the world of copy c from its own seed s: s * 1000003 + c + 1.
+    """
+    return (first - 1) * pow(1000003, -1, _MODULUS) % _MODULUS
 
 
 class Episodes:
@@ -24,13 +32,11 @@ class Episodes:
 
     def reset(self, first):
         """Starts the episodes; returns the observations."""
-        # The environment makes the seed of copy c from its own seed s: (s * 1000003 + c) + 1.
-        seed = (first - 1) * pow(1000003, -1, _MODULUS) % _MODULUS
         self.active = numpy.ones(self.count, bool)
         self.outcomes = numpy.array([""] * self.count, object)
         self.times = numpy.full(self.count, numpy.nan)
         self._time = 0.0
-        return self._envs.reset(seed=seed)[0]
+        return self._envs.reset(seed=seed_of(first))[0]
 
     def step(self, actions):
         """Returns observations and rewards; worlds whose episode has ended are no longer active."""
