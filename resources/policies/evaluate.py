@@ -24,6 +24,8 @@ from worlds import seed_of
 DURATION = 60.0  # [s]
 INTERVAL = 0.2  # [s] between two measurements of the distance to the nearest person
 
+_environments = {}  # by scenario and policy
+
 
 def scenario_of(name):
     """The scenario; its people vary with the seed as in the training."""
@@ -75,9 +77,6 @@ def drive_policy(scenario, policy, seed):
             return infos["outcome"][0], time, nearest
 
 
-_environments = {}
-
-
 def summary(rows):
     """Cells of the table for the runs of one driver in one scene."""
     arrived = [row for row in rows if row[0] == "arrived"]
@@ -96,7 +95,8 @@ def main():
     parser.add_argument("--policies", nargs="*", type=Path, default=[])
     parser.add_argument("--planners", nargs="*", default=[])
     parser.add_argument("--scenes", nargs="+", required=True)
-    parser.add_argument("--seeds", nargs=2, type=int, default=(1001, 1100), metavar=("FIRST", "LAST"))
+    parser.add_argument("--seeds", nargs=2, type=int, default=(1001, 1100),
+                        metavar=("FIRST", "LAST"))
     parser.add_argument("--csv", type=Path, help="also write a row per run")
     options = parser.parse_args()
     drivers = [(path.stem, drive_policy, Policy(path)) for path in options.policies]

@@ -81,9 +81,10 @@ class Network:
         layer("codes", codes, slope)
         slope = slope @ p["codes"].T
         end = PERSON_UNITS + STATE_UNITS
-        layer("state", inputs["state"], slope[:, PERSON_UNITS:end] * (codes[:, PERSON_UNITS:end] > 0))
+        active = slope * (codes > 0)
+        layer("state", inputs["state"], active[:, PERSON_UNITS:end])
         if self.beams:
-            layer("lidar", inputs["lidar"], slope[:, end:] * (codes[:, end:] > 0))
+            layer("lidar", inputs["lidar"], active[:, end:])
         people = slope[:, None, :PERSON_UNITS] * (each > 0)
         own = people.sum(axis=1)
         flat = inputs["person"].reshape(-1, 2 * PERSON)

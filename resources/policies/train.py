@@ -40,11 +40,11 @@ CLIP = 0.2
 SPREAD = numpy.float32(0.15)  # standard deviation of the exploration, in the scale of tanh
 RATE = 2e-4  # of learning, in the second phase
 
-# Scenes with the number of batches of each round.
+# Inputs, rounds, and scenes with the number of batches of each round.
 POLICIES = {
-    "crossing_policy": {"people": 10, "beams": 0,
+    "crossing_policy": {"people": 10, "beams": 0, "imitation": 6, "reinforcement": 40,
                         "scenes": {"crossing_agents": 3, "crowd_agents": 1, "classic_circle": 1}},
-    "crowd_policy": {"people": 10, "beams": 48,
+    "crowd_policy": {"people": 10, "beams": 48, "imitation": 5, "reinforcement": 40,
                      "scenes": {"crossing_agents": 1, "crowd_agents": 1, "corridor_pass_agents": 1,
                                 "doorway_agents": 2, "blind_corner_agents": 1,
                                 "classic_circle": 1}},
@@ -197,9 +197,9 @@ class Trainer:
     def __init__(self, settings, options, pool):
         self._generator = numpy.random.default_rng(options.seed)
         self._settings, self._options, self._pool = settings, options, pool
-        make = lambda outputs: Network(settings["people"], settings["beams"], outputs,
-                                       self._generator)
-        self.network, self._critic = make(2), make(1)
+        self.network, self._critic = [
+            Network(settings["people"], settings["beams"], outputs, self._generator)
+            for outputs in (2, 1)]
         self.curve = Curve(options.out / f"{options.policy}.csv",
                            options.imitation + options.reinforcement)
         self._memory = []
@@ -358,12 +358,16 @@ def parse(arguments):
     parser.add_argument("policy", choices=POLICIES)
     parser.add_argument("--out", type=Path, default=Path("."), help="folder (default: here)")
     parser.add_argument("--seed", type=int, default=1, help="of all random numbers (default: 1)")
-    parser.add_argument("--imitation", type=int, default=12, help="rounds (default: 12)")
-    parser.add_argument("--reinforcement", type=int, default=100, help="rounds (default: 100)")
+    parser.add_argument("--imitation", type=int, help="rounds (default: the policy's)")
+    parser.add_argument("--reinforcement", type=int, help="rounds (default: the policy's)")
     parser.add_argument("--validation", type=int, default=15, help="episodes per scene (15)")
     parser.add_argument("--scenes", nargs="+", metavar="NAME", help="instead of the policy's own")
     parser.add_argument("--processes", type=int, default=2, help="(default: 2)")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    for name in ("imitation", "reinforcement"):
+        if getattr(options, name) is None:
+            setattr(options, name, POLICIES[options.policy][name])
+    return options
 
 
 def main(arguments=None):

@@ -162,8 +162,8 @@ class LearningTest(unittest.TestCase):
     def test_advantages_by_hand(self):
         # The last decision: 10 - 2 = 8. The first one: 1 + 0.98 * 2 - 3 + 0.98 * 0.95 * 8 = 7.408.
         advantages, returns = train.advantages_of(
-            numpy.array([[1.0], [10.0]]), numpy.array([[3.0], [2.0]]), numpy.array([[True], [True]]),
-            numpy.zeros(1))
+            numpy.array([[1.0], [10.0]]), numpy.array([[3.0], [2.0]]),
+            numpy.array([[True], [True]]), numpy.zeros(1))
         numpy.testing.assert_allclose(advantages[:, 0], [7.408, 8.0], rtol=1e-6)
         numpy.testing.assert_allclose(returns[:, 0], [10.408, 10.0], rtol=1e-6)
 
