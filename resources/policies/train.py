@@ -42,9 +42,9 @@ RATE = 2e-4  # of learning, in the second phase
 
 # Inputs, rounds, and scenes with the number of batches of each round.
 POLICIES = {
-    "crossing_policy": {"people": 10, "beams": 0, "imitation": 6, "reinforcement": 40,
+    "crossing_policy": {"people": 10, "beams": 0, "imitation": 6, "reinforcement": 5,
                         "scenes": {"crossing_agents": 3, "crowd_agents": 1, "classic_circle": 1}},
-    "crowd_policy": {"people": 10, "beams": 48, "imitation": 5, "reinforcement": 40,
+    "crowd_policy": {"people": 10, "beams": 48, "imitation": 5, "reinforcement": 0,
                      "scenes": {"crossing_agents": 1, "crowd_agents": 1, "corridor_pass_agents": 1,
                                 "doorway_agents": 2, "blind_corner_agents": 1,
                                 "classic_circle": 1}},
@@ -224,8 +224,7 @@ class Trainer:
             self.curve.best = {name: value.copy()
                                for name, value in self.network.parameters.items()}
             name = self._options.policy
-            path = self._options.out / f"{name}.onnx"
-            path.write_bytes(onnx_bytes(self.network, name))
+            (self._options.out / f"{name}.onnx").write_bytes(onnx_bytes(self.network, name))
         return outcomes, mean_return
 
     def imitate(self):
@@ -367,6 +366,8 @@ def parse(arguments):
     for name in ("imitation", "reinforcement"):
         if getattr(options, name) is None:
             setattr(options, name, POLICIES[options.policy][name])
+    if options.imitation < 1:
+        parser.error("--imitation must be at least 1")
     return options
 
 
