@@ -28,6 +28,7 @@ FILES = [
     "share/hunavsim/maps/realism/realism_corner_agents.yaml",
     "share/hunavsim/resources/nav2_params/turtlebot3.yaml",
     "share/hunavsim/resources/planners/follow.py",
+    "share/hunavsim/resources/policies/crossing_policy.onnx",
     "share/hunavsim/resources/tuning/parameters.yaml",
     "share/hunavsim/resources/planners/hunavsim_planner.h",
 ]
