@@ -32,7 +32,8 @@ CONTAINED = {
     "sim2d/world/MODELS.md": "models.md",
 }
 
-PICTURES = ["window-light.png", "window-dark.png", "overlays-light.png", "nav2-light.png", "report.png"]
+PICTURES = ["window-light.png", "window-dark.png", "overlays-light.png", "nav2-light.png", "report.png",
+            "leaderboard.png"]
 
 # Pictures of a run: arguments of `render`.
 RUN_PICTURES = {

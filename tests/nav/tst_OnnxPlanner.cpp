@@ -242,9 +242,9 @@ class OnnxPlannerTest : public QObject {
     const auto first = make(model);
     const auto second = make(model);
     QVERIFY(first && second);
-    const Drive one = drive(**first, 200);
+    const Drive one = external::drive(**first, 200);
     QVERIFY(one.problems.empty() && one.commands.size() > 100);
-    QCOMPARE(drive(**second, 200).commands, one.commands);
+    QCOMPARE(external::drive(**second, 200).commands, one.commands);
   }
 
  private:
