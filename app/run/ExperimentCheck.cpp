@@ -172,7 +172,9 @@ class ExperimentTrial {
   sim2d::Scenario othersWith(std::size_t value, const std::string& text, sim2d::Scenario stage,
                              base::Diagnostics& errors) const {
     sim2d::Scenario tried = first_;
-    const bool fits = !base::hasErrors(put(tried, value, text));
+    const bool isMap =
+        !text.empty() && text.front() == '{';  // would leave other keys of the first text
+    const bool fits = !isMap && !base::hasErrors(put(tried, value, text));
     if (!fits) {
       tried = std::move(stage);
     }

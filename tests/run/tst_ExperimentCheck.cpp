@@ -148,6 +148,8 @@ class ExperimentCheckTest : public QObject {
           "planner: dwa\nvalues:\n  robot1: [{start: {x: 1.0, y: 1.0}, goal: {x: 3.0, y: 3.0}}]\n",
           "planner: dwa\nvalues:\n  robot1: [{max_vel: 0.5}, {max_vel: 0.8}]\n",
           "values:\n  robot1: [{planner: dwa}, {planner: orca, max_vel: 0.5}]\n",
+          "values:\n  robot1: [{planner: pursuit, planner_parameters: {lookahead: 1.0}}, {planner: "
+          "orca}]\n",
           "model: sfm\nvalues:\n  anna.model: [orca]\n",
           "values:\n  robot1.planner: [pursuit, dwa]\n  duration: [4.0]\n  model: [sfm, orca]\n"}) {
       newRow(text) << QByteArray(text);
