@@ -54,8 +54,12 @@ def check_files(usr, build):
         expect((usr / "share/hunavsim/manual/index.html").is_file(), "not installed: manual")
     others = [path.name for path in usr.parent.iterdir() if path.name != "usr"]
     expect(not others, f"installed outside the prefix: {others}")
+    module = build / "lib/hunavsim/hunavsim_onnx.so"  # with OpenCV
     tops = sorted(path.name for path in usr.iterdir())
-    expect(tops == ["bin", "share"], f"installed into {tops}")
+    expect(tops == (["bin", "lib", "share"] if module.is_file() else ["bin", "share"]), f"installed into {tops}")
+    libraries = [str(path.relative_to(usr)) for path in (usr / "lib").rglob("*") if path.is_file()]
+    expect(libraries == (["lib/hunavsim/hunavsim_onnx.so"] if module.is_file() else []),
+           f"installed libraries: {libraries}")
     for path in usr.rglob("*"):
         is_source = path.suffix in (".cmake", ".qrc") or path.name == "CMakeLists.txt"
         expect(not is_source, f"belongs to the sources: {path}")
