@@ -53,6 +53,29 @@ class ScenarioErrorsTest : public QObject {
     QCOMPARE(shown(said), QString::fromStdString(textOf(expected.toStdString())));
   }
 
+  void read_fileOfAnotherKind_saysWhatItIs_data() {
+    addColumns<QByteArray, QByteArray>({"text", "said"});
+    QTest::newRow("experiment") << QByteArray("hunavsim_experiment: 1\nscenarios: [yard.yaml]\n")
+                                << QByteArray("f.yaml:1:1: error: an experiment is not a scenario");
+    QTest::newRow("map") << QByteArray("image: yard.pgm\nresolution: 0.05\n")
+                         << QByteArray("f.yaml:1:1: error: a map is not a scenario");
+    QTest::newRow("nav2") << QByteArray(
+                                 "a_server:\n  ros__parameters:\n    x: 1.0\n"
+                                 "b_server:\n  ros__parameters:\n    y: 1.0\n")
+                          << QByteArray(
+                                 "f.yaml:1:1: error: no node hunav_loader among a_server, "
+                                 "b_server (give parameters of Nav2 with --nav2-params)");
+  }
+  void read_fileOfAnotherKind_saysWhatItIs() {
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, said);
+    const ScenarioReading reading = readScenarioText(text.toStdString(), "f.yaml");
+    QVERIFY(!reading.ok());
+    QCOMPARE(reading.diagnostics.size(), std::size_t{1});
+    const std::string found = reading.diagnostics.front().text();
+    QVERIFY2(found.find(said.toStdString()) == 0, found.c_str());
+  }
+
   void read_missingFile_isError() {
     const ScenarioReading reading = readScenario(dataFile("nowhere.yaml"));
     QVERIFY(!reading.ok());
