@@ -72,26 +72,14 @@ base::Diagnostics addRunFiles(const std::string& study, std::set<std::string>& n
   return problems;
 }
 
-/// The place of an experiment that may have changed or may be gone: its text is in the results.
-std::string experimentPath(const std::string& named, const std::string& folder) {
-  std::error_code ignored;
-  const fs::path last =
-      named == app::kStandardInput ? fs::path("experiment.yaml") : fs::path(named);
-  for (const fs::path& path : {last, fs::path(folder) / last, fs::path(folder) / ".." / last}) {
-    if (fs::is_regular_file(path, ignored)) {
-      return fs::absolute(path, ignored).lexically_normal().string();
-    }
-  }
-  return fs::absolute(last, ignored).lexically_normal().string();
-}
-
 /// Programs and libraries that runs of the experiment start.
 std::set<std::string> codeFilesOf(const app::Experiment& experiment,
                                   const sim2d::ImageLoader& loader) {
   std::set<std::string> files;
-  const std::size_t runs = experiment.runCount() / experiment.scenarios.size();
-  for (std::size_t k = 0; k < experiment.scenarios.size(); ++k) {
-    const app::Bundle bundle = app::readBundle(experiment.specOf(k * runs), {}, loader);
+  for (const std::string& path : experiment.scenarioPaths) {
+    app::RunSpec spec = experiment.common;
+    spec.scenario = path;
+    const app::Bundle bundle = app::readBundle(spec, {}, loader);
     for (const app::ExternalCode& code : app::externalCodeOf(experiment, *bundle.scenario)) {
       if (const auto file = app::codeFileOf(code, bundle.path)) {
         std::error_code ignored;
@@ -122,7 +110,12 @@ base::Diagnostics readBatch(const sim2d::ImageLoader& loader, StudySource& sourc
   source.runs = study.shard.runCount(study.runs);
   source.finished = results->store->finished();
   source.allowsCode = study.allowsCode;
-  const std::string experiment = experimentPath(study.experimentPath, source.folder);
+  // It may have changed or may be gone: its text is in the results.
+  const std::string experiment =
+      app::experimentFileOf(study.experimentPath, source.folder)
+          .value_or(app::absolutePath(study.experimentPath == app::kStandardInput
+                                          ? "experiment.yaml"
+                                          : study.experimentPath));
   source.inputs.push_back({study.inputs.front(), experiment, study.experiment, false});
   base::Diagnostics problems;
   for (std::size_t k = 1; k < study.inputs.size(); ++k) {

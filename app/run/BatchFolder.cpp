@@ -400,4 +400,14 @@ base::Result<LockedResults> readResults(const std::string& folder) {
   return LockedResults{*std::move(lock), *std::move(store)};
 }
 
+std::optional<std::string> experimentFileOf(const std::string& named, const std::string& folder) {
+  std::error_code ignored;
+  for (const fs::path& base : {fs::path(), fs::path(folder), fs::path(folder) / ".."}) {
+    if (!named.empty() && fs::is_regular_file(base / named, ignored)) {
+      return fs::absolute(base / named, ignored).lexically_normal().string();
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,11 @@ struct LockedResults {
 };
 /// Opens the results of a batch folder for reading. Errors: none, damaged, or in use.
 base::Result<LockedResults> readResults(const std::string& folder);
+
+/// The experiment file of a batch, absolute. `named`: as the batch was given it; a relative path is
+/// looked for in the current folder, in `folder` with the results and beside it. nullopt: it is not
+/// there.
+std::optional<std::string> experimentFileOf(const std::string& named, const std::string& folder);
 
 /// Joins the folders of all shards of one study in `output`: results.csv is identical to that of a
 /// batch without shards; kept run folders are copied. Errors, all of them at a time: shards of

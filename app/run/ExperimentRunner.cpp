@@ -144,34 +144,32 @@ bool mayNameCode(const ExperimentValue& value) {
                                      [&](const char* key) { return last == key; });
 }
 
-/// Searches all combinations of these values; if there are too many, each value combined with the
-/// first ones of the others.
+/// Searches all combinations of the texts that may name code; if there are too many, each text
+/// combined with the first ones of the other values.
 class ExternalCodeSearch {
  public:
   explicit ExternalCodeSearch(const Experiment& experiment) {
-    std::size_t combinations = 1;
     for (const ExperimentValue& value : experiment.values) {
-      std::vector<std::string> others = mayNameCode(value) ? otherTextsOf(value) : Texts();
-      if (!others.empty()) {
-        combinations = std::min(kMaxCombinations + 1, combinations * (others.size() + 1));
-        values_.emplace_back(value.path, std::move(others));
+      Texts texts = mayNameCode(value) ? textsOf(value) : Texts();
+      if (!texts.empty()) {
+        combinations_ = std::min(kMaxCombinations + 1, combinations_ * texts.size());
+        values_.emplace_back(value.path, std::move(texts));
       }
     }
-    triesCombinations_ = combinations <= kMaxCombinations;
   }
 
-  void visit(const sim2d::Scenario& scenario, std::size_t from = 0) {
-    for (const ExternalCode& code : externalCodeOf(scenario)) {
-      if (std::find(found_.begin(), found_.end(), code) == found_.end()) {
-        found_.push_back(code);
-      }
+  void search(const sim2d::Scenario& scenario) {
+    if (combinations_ <= kMaxCombinations) {
+      visit(scenario, 0);
+      return;
     }
-    for (std::size_t k = from; k < values_.size(); ++k) {
-      for (const std::string& text : values_[k].second) {
+    for (std::size_t varied = 0; varied < values_.size(); ++varied) {
+      for (const std::string& text : values_[varied].second) {
         sim2d::Scenario changed = scenario;
-        if (!base::hasErrors(sim2d::setValue(changed, values_[k].first, text))) {  // checked before
-          visit(changed, triesCombinations_ ? k + 1 : values_.size());
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+          put(changed, k, k == varied ? text : values_[k].second.front());
         }
+        collect(changed);
       }
     }
   }
@@ -180,29 +178,52 @@ class ExternalCodeSearch {
  private:
   using Texts = std::vector<std::string>;
 
-  /// Without numbers, which name no code, and without the value of the first run.
-  static Texts otherTextsOf(const ExperimentValue& value) {
+  /// Without numbers, which name no code.
+  static Texts textsOf(const ExperimentValue& value) {
     Texts texts;
     for (const std::size_t k : value.representativeTexts()) {
-      if ((k > 0 || value.isDrawn()) && !base::parseDouble(value.texts[k])) {
+      if (!base::parseDouble(value.texts[k])) {
         texts.push_back(value.texts[k]);
       }
     }
     return texts;
   }
 
+  /// A value that cannot be set is reported by the check of the experiment.
+  void put(sim2d::Scenario& scenario, std::size_t value, const std::string& text) const {
+    sim2d::setValue(scenario, values_[value].first, text);
+  }
+  void visit(const sim2d::Scenario& scenario, std::size_t value) {
+    if (value == values_.size()) {
+      collect(scenario);
+      return;
+    }
+    for (const std::string& text : values_[value].second) {
+      sim2d::Scenario changed = scenario;
+      put(changed, value, text);
+      visit(changed, value + 1);
+    }
+  }
+  void collect(const sim2d::Scenario& scenario) {
+    for (const ExternalCode& code : externalCodeOf(scenario)) {
+      if (std::find(found_.begin(), found_.end(), code) == found_.end()) {
+        found_.push_back(code);
+      }
+    }
+  }
+
   static constexpr std::size_t kMaxCombinations = 2000;
   std::vector<std::pair<std::string, Texts>> values_;  // path, texts
-  bool triesCombinations_ = true;
+  std::size_t combinations_ = 1;                       // at most kMaxCombinations + 1
   std::vector<ExternalCode> found_;
 };
 
 }  // namespace
 
 std::vector<ExternalCode> externalCodeOf(const Experiment& experiment,
-                                         const sim2d::Scenario& first) {
+                                         const sim2d::Scenario& scenario) {
   ExternalCodeSearch search(experiment);
-  search.visit(first);
+  search.search(scenario);
   return search.take();
 }
 

@@ -47,10 +47,10 @@ class ExperimentRunner {
   BundleReader reader_;
 };
 
-/// External code that runs in a scenario would start, for all values of the experiment. `first`:
-/// the scenario with the first values.
+/// External code that runs in a scenario would start, for all values of the experiment. `scenario`:
+/// with the options of all runs, without the values.
 std::vector<ExternalCode> externalCodeOf(const Experiment& experiment,
-                                         const sim2d::Scenario& first);
+                                         const sim2d::Scenario& scenario);
 
 /// Files that a run reads, and external code that it starts.
 std::vector<std::string> inputFilesOf(const Bundle& bundle);

@@ -6,6 +6,15 @@
 
 namespace sim2d {
 
+base::ParameterSpec fileSpec(std::string help) {
+  base::ParameterSpec file;
+  file.key = kFileParameter;
+  file.type = base::ParameterType::Text;
+  file.fallback = std::string();
+  file.help = std::move(help);
+  return file;
+}
+
 std::string fileParameter(const PlannerSetup& setup, const std::string& key) {
   const auto given = std::find_if(setup.texts.begin(), setup.texts.end(),
                                   [&](const auto& text) { return text.first == key; });

@@ -184,6 +184,9 @@ struct PlannerSetup {
       std::make_shared<const base::StopFlag>();  // interrupts waits, with base::Stopped
 };
 
+constexpr const char* kFileParameter = "file";
+/// The parameter `file`: a text, empty by default.
+base::ParameterSpec fileSpec(std::string help);
 /// Path of the file given by a text parameter, resolved against the folder of the setup; empty if
 /// not given.
 std::string fileParameter(const PlannerSetup& setup, const std::string& key);

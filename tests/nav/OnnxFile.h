@@ -79,7 +79,7 @@ inline std::string node(const std::string& type, const std::vector<std::string>&
 inline std::string model(const std::string& graph, const std::string& metadata,
                          const std::string& key = "hunavsim_policy") {
   std::string text = number(1, 7) + bytes(2, "tests") + bytes(7, graph) + bytes(8, number(2, 13));
-  text += bytes(14, bytes(1, "author") + bytes(2, "nobody"));
+  text += bytes(14, bytes(1, "author") + bytes(2, "A. Author"));
   return key.empty() ? text : text + bytes(14, bytes(1, key) + bytes(2, metadata));
 }
 

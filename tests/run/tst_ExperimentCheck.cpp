@@ -66,6 +66,27 @@ class ExperimentCheckTest : public QObject {
     }
   }
 
+  /// An option without a command has that of the scenario, not that of another option.
+  void externalCode_ofMaps_isThatOfEachOption() {
+    writeScenario("code.yaml",
+                  QByteArray(outside::kYardText)
+                      .replace("    robot1:\n", "    robot1:\n      command: ./own\n"));
+    const std::string file =
+        "hunavsim_experiment: 1\nscenarios: [code.yaml]\nvalues:\n  robot1: [{planner: external, "
+        "command: ./first}, {planner: external}, {planner: dwa}]\n";
+    const auto experiment =
+        app::parseExperiment(file, folder_.path(QStringLiteral("e.yaml")).toStdString());
+    QVERIFY2(bool(experiment),
+             qPrintable(linesOf(experiment.diagnostics()).join(QLatin1Char('\n'))));
+    const sim2d::Scenario scenario =
+        sim2d::readScenario(experiment->scenarioPaths.front()).scenario;
+    std::vector<std::string> commands;
+    for (const app::ExternalCode& code : app::externalCodeOf(*experiment, scenario)) {
+      commands.push_back(code.words);
+    }
+    QCOMPARE(commands, (std::vector<std::string>{"./first", "./own"}));
+  }
+
   /// Four times the paths take about four times as long, whether there are such keys or not.
   void manyPaths_takeTimeInProportion_data() {
     QTest::addColumn<QByteArray>("path");

@@ -41,19 +41,21 @@ std::vector<std::string> sensitivityOptions(const Study& study) {
           std::to_string(design.value("points", std::size_t{0}))};
 }
 
-/// Error if the batch has no results.csv yet because it is running or was killed. Empty if
-/// results.csv exists or there is no batch.
+/// Error if the batch is running, or has no results.csv because it was killed. Empty if there is no
+/// batch.
 base::Diagnostics checkBatchFinished(const std::string& folder) {
   if (base::Diagnostics problems = completeCommit(folder); !problems.empty()) {
     return problems;
   }
-  if (entryExists(pathIn(folder, "results.csv")) ||
-      !ResultStore::isResultDatabase(pathIn(folder, "results.sqlite"))) {
+  if (!ResultStore::isResultDatabase(pathIn(folder, "results.sqlite"))) {
     return {};
   }
   const base::Result<LockedResults> results = readResults(folder);
+  const bool isRunning = !results && results.diagnostics().front().code == "batch.locked";
+  if (entryExists(pathIn(folder, "results.csv")) && !isRunning) {
+    return {};
+  }
   if (!results) {
-    const bool isRunning = results.diagnostics().front().code == "batch.locked";
     return isRunning ? base::Diagnostics{base::error("report.batch-runs", {}, folder)}
                      : results.diagnostics();
   }

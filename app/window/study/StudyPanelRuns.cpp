@@ -13,16 +13,14 @@ bool holds(const std::vector<ExternalCode>& all, const ExternalCode& code) {
   return std::find(all.begin(), all.end(), code) != all.end();
 }
 
-/// The external code that runs of the experiment would start: that of the first values, and of each
-/// other value varied alone, as reported by `batch`. Nothing is started. Errors in scenarios and
-/// values are reported when they are run.
+/// The external code that runs of the experiment would start. Nothing is started. Errors in
+/// scenarios and values are reported when they are run.
 std::vector<ExternalCode> externalCodeOfStudy(const Experiment& experiment) {
   std::vector<ExternalCode> all;
-  const std::size_t runs = experiment.runCount() / experiment.scenarios.size();
-  for (std::size_t k = 0; k < experiment.scenarios.size(); ++k) {
-    sim2d::Scenario first = sim2d::readScenario(experiment.scenarioPaths[k]).scenario;
-    applyOptions(first, experiment.specOf(k * runs), {});
-    for (const ExternalCode& code : externalCodeOf(experiment, first)) {
+  for (const std::string& path : experiment.scenarioPaths) {
+    sim2d::Scenario scenario = sim2d::readScenario(path).scenario;
+    applyOptions(scenario, experiment.common, {});
+    for (const ExternalCode& code : externalCodeOf(experiment, scenario)) {
       if (!holds(all, code)) {
         all.push_back(code);
       }

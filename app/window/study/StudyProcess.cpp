@@ -247,16 +247,9 @@ QString writtenExperimentOf(const QString& folder) {
 }  // namespace
 
 QString experimentOfBatch(const QString& folder) {
-  const QString written = writtenExperimentOf(folder);
-  const QDir results(folder);
-  for (const QString& base :
-       {QDir::currentPath(), results.filePath(QStringLiteral("..")), results.absolutePath()}) {
-    const QFileInfo file(QDir(base), written);
-    if (!written.isEmpty() && file.isFile()) {
-      return QDir::cleanPath(file.absoluteFilePath());
-    }
-  }
-  return {};
+  return QString::fromStdString(
+      experimentFileOf(writtenExperimentOf(folder).toStdString(), folder.toStdString())
+          .value_or(std::string()));
 }
 
 QString resumeObstacle(const QString& folder, const std::string& experiment) {

@@ -55,8 +55,7 @@ RestoredStudy restoredStudyIn(const QString& folder);
 
 /// Whether a batch has written its results into the folder.
 bool isBatchFolder(const QString& folder);
-/// The experiment file of the batch in the folder, looked for in the current folder, beside the
-/// results and in their folder if its path is relative; empty: not found.
+/// The experiment file of the batch in the folder; empty: not found (see experimentFileOf).
 QString experimentOfBatch(const QString& folder);
 
 /// The reason why this experiment cannot be resumed with the results in the folder. Empty: it can,

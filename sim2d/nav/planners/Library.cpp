@@ -271,17 +271,10 @@ base::Diagnostics PlannerLibrary::check() {
 
 namespace {
 
-constexpr const char* kLibraryFile = "file";
-
 std::vector<base::ParameterSpec> librarySpecs() {
-  base::ParameterSpec file;
-  file.key = kLibraryFile;
-  file.type = base::ParameterType::Text;
-  file.fallback = std::string();
-  file.help =
+  return {fileSpec(
       "Shared library of the planner (hunavsim_planner.h), relative to the scenario; needs "
-      "permission to run code.";
-  return {file};
+      "permission to run code.")};
 }
 
 /// Checks that do not require loading the library.
@@ -296,7 +289,7 @@ base::Result<std::shared_ptr<Planner>> makeIdlePlanner(const PlannerSetup& setup
 }
 
 base::Result<std::shared_ptr<Planner>> makeLibrary(const PlannerSetup& setup) {
-  const std::string file = fileParameter(setup, kLibraryFile);
+  const std::string file = fileParameter(setup, kFileParameter);
   if (setup.code == ExternalCodePolicy::Skipped) {
     return makeIdlePlanner(setup, file);
   }

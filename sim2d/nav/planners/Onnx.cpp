@@ -66,14 +66,9 @@ class OnnxPlanner : public Planner {
 };
 
 std::vector<base::ParameterSpec> onnxSpecs() {
-  base::ParameterSpec file;
-  file.key = "file";
-  file.type = base::ParameterType::Text;
-  file.fallback = std::string();
-  file.help =
+  return {fileSpec(
       "ONNX file of a policy that was trained with hunavsim.env, with its options as metadata; "
-      "relative to the scenario.";
-  return {file};
+      "relative to the scenario.")};
 }
 
 /// Whether the robot has what the policy observes and commands.
@@ -91,7 +86,7 @@ base::Diagnostics bodyProblems(const PlannerSetup& setup, const PolicyMetadata& 
 }
 
 base::Result<std::shared_ptr<Planner>> makeOnnx(const PlannerSetup& setup) {
-  const std::string file = fileParameter(setup, "file");
+  const std::string file = fileParameter(setup, kFileParameter);
   if (file.empty()) {
     return withRobotName(setup.robot, {base::error("onnx.no-file")});
   }

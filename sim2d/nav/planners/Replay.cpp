@@ -245,14 +245,9 @@ base::ParameterTable<ReplayParameters> replayTable() {
 }
 
 std::vector<base::ParameterSpec> replaySpecs() {
-  base::ParameterSpec file;
-  file.key = "file";
-  file.type = base::ParameterType::Text;
-  file.fallback = std::string();
-  file.help =
-      "CSV with time,linear,angular and optionally lateral, or the trajectory.csv of a run; "
-      "relative to the scenario.";
-  std::vector<base::ParameterSpec> specs{file};
+  std::vector<base::ParameterSpec> specs{
+      fileSpec("CSV with time,linear,angular and optionally lateral, or the trajectory.csv of a "
+               "run; relative to the scenario.")};
   for (const base::ParameterSpec& spec : replayTable().specs()) {
     specs.push_back(spec);
   }
@@ -277,7 +272,7 @@ class Replay : public Planner {
 base::Result<std::shared_ptr<Planner>> makeReplay(const PlannerSetup& setup) {
   ReplayParameters parameters;
   replayTable().set(parameters, setup.parameters);
-  const std::string path = fileParameter(setup, "file");
+  const std::string path = fileParameter(setup, kFileParameter);
   if (path.empty()) {
     return withRobotName(setup.robot, {base::error("replay.no-file")});
   }
