@@ -1,6 +1,7 @@
 # The Debian packages: `cpack --config build/release/CPackConfig.cmake`; with the preset `python` also that of
-# the Python module, and with OpenCV that of the module of the planner `onnx`. Their dependencies are read from the program and the module (dpkg-shlibdeps), so a
-# package fits the system on which it was built. With SOURCE_DATE_EPOCH set, equal sources give equal bytes.
+# the Python module, and with OpenCV that of the module of the planner `onnx`. Their dependencies are read from
+# the program and the modules (dpkg-shlibdeps), so a package fits the system on which it was built. With
+# SOURCE_DATE_EPOCH set, equal sources give equal bytes.
 set(HUNAV_MAINTAINER "HuNavSim Desktop developers <noreply@localhost>" CACHE STRING
     "Maintainer in the package")
 set(CPACK_GENERATOR DEB)

@@ -228,6 +228,28 @@ class StudyTroublesTest : public QObject {
     QVERIFY(!QFile::exists(out + text("/report.html")));
   }
 
+  /// The table of the interrupted part is there, and out of date.
+  void report_ofABatchThatRunsAgain_isTold() {
+    const QString experiment = folder_.writeStudy("again.yaml", "seeds: 2\nduration: 900000.0\n");
+    const QString out = folder_.path(text("again"));
+    const QStringList words =
+        StudyFolder::words(experiment, out, {text("--jobs"), text("1"), text("--allow-code")});
+    {
+      Running first(words);
+      QTRY_VERIFY_WITH_TIMEOUT(!first.workers().empty(), 20000);
+      ::kill(first.pid(), SIGINT);
+      first.wait();
+    }
+    QVERIFY(QFile::exists(out + text("/results.csv")));
+    Running again(words + QStringList{text("--resume")});
+    QTRY_VERIFY_WITH_TIMEOUT(!again.workers().empty(), 20000);
+    QCOMPARE(unexpected(runProgram("report %", {out}), 2,
+                        "again: error: the batch in this folder is running"),
+             QString());
+    ::kill(again.pid(), SIGKILL);
+    again.wait();
+  }
+
   /// What does not fit on the disk ends the batch with the reason; what fitted is kept.
   void fullDisk_isToldAndResumed() {
     const QString out = folder_.path(text("full"));
