@@ -7,6 +7,7 @@
 /// when a planner needs it, so that the program does not depend on OpenCV. Errors are texts; no
 /// exception leaves the module.
 
+/* NOLINTBEGIN(readability-identifier-naming): C names */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -46,3 +47,4 @@ void hunavsim_onnx_destroy(hunavsim_onnx_network* network);
 #ifdef __cplusplus
 }
 #endif
+/* NOLINTEND(readability-identifier-naming) */

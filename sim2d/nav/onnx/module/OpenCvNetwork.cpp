@@ -104,16 +104,16 @@ const char* hunavsim_onnx_opencv() {
 }
 
 hunavsim_onnx_network* hunavsim_onnx_load(const char* bytes, size_t size,
-                                          const hunavsim_onnx_input* inputs, size_t input_count,
-                                          char* error, size_t error_size) {
-  return guarded([&] { return load(bytes, size, inputs, input_count).release(); },
-                 static_cast<hunavsim_onnx_network*>(nullptr), error, error_size);
+                                          const hunavsim_onnx_input* inputs, size_t inputCount,
+                                          char* error, size_t errorSize) {
+  return guarded([&] { return load(bytes, size, inputs, inputCount).release(); },
+                 static_cast<hunavsim_onnx_network*>(nullptr), error, errorSize);
 }
 
 int32_t hunavsim_onnx_run(hunavsim_onnx_network* network, const float* const* inputs, float* action,
-                          size_t action_count, char* error, size_t error_size) {
-  return guarded([&] { return run(*network, inputs, action, action_count); }, int32_t{1}, error,
-                 error_size);
+                          size_t actionCount, char* error, size_t errorSize) {
+  return guarded([&] { return run(*network, inputs, action, actionCount); }, int32_t{1}, error,
+                 errorSize);
 }
 
 void hunavsim_onnx_destroy(hunavsim_onnx_network* network) {
