@@ -225,14 +225,14 @@ base::Diagnostics ArchiveReader::read(const std::string& name,
     }
     size += static_cast<std::uint64_t>(got);
     if (size > stat.size) {
-      reason = "it is larger than the archive says";
+      reason = "it is larger than its size in the archive";
     } else {
       take({piece.data(), static_cast<std::size_t>(got)});
     }
   }
   zip_fclose(file);
   if (reason.empty() && size < stat.size) {
-    reason = "it is smaller than the archive says";
+    reason = "it is smaller than its size in the archive";
   }
   return reason.empty()
              ? base::Diagnostics()

@@ -133,7 +133,7 @@ bool verifyOne(const std::string& path, const CertifyOptions& options, const Inv
 void addCertifyOptions(CLI::App& command, CertifyOptions& options) {
   CLI::Option* const certify = command.add_flag(
       "--certify", options.certify,
-      "Prove by runs that scenarios are solvable, not trivial and as their cards say; write "
+      "Test by simulation that scenarios are solvable, not trivial and match their cards; write "
       "<scenario>.certificate.json");
   CLI::Option* const verify =
       command.add_flag("--verify", options.verify,

@@ -132,9 +132,9 @@ std::string extrasText(const CommandRegistry& commands, const std::string& first
   return option.value_or("unexpected arguments: " + base::join(root.remaining(true), " "));
 }
 
-/// What image libraries grumble is told by our own messages, with the file's name. A machine where
-/// nobody has logged in has no folder for running programs, and we want none. What Qt ends the
-/// program for (no display, no memory for its plugin) is an error like others.
+/// Prints messages of Qt, except those of libpng, which the program reports with the file name, and
+/// the warning about a missing XDG_RUNTIME_DIR. Fatal errors (no display, no memory for a plugin)
+/// are reported as errors and end the program.
 void withoutLibraryWords(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (!text.startsWith(QLatin1String("libpng")) &&
       !text.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR not set"))) {

@@ -127,7 +127,7 @@ void addTimeLimit(CLI::App& command, double& seconds);  // of one run, wall time
 void addForce(CLI::App& command, bool& force);
 void addMetricsOptions(CLI::App& command, MetricsOptions& options);
 
-/// Reads the words and does what they say. `addWindow` adds what is done without a command.
+/// Parses the command line and runs the command. `addWindow` adds the action without a command.
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&));
 
 /// Common options of all commands that use ROS 2.

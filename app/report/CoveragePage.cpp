@@ -107,7 +107,7 @@ Table coveringTable(const SearchStudy& study) {
   Table table{
       "archive",
       "The archive: runs that reached a node before all others, with the command that plays each "
-      "in the window; hunavsim run with the same words repeats it without.",
+      "in the window; hunavsim run with the same arguments repeats it without the window.",
       {{"Run", {}, true},
        {"Scenario", {}, false},
        {"Seed", {}, true},

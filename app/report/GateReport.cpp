@@ -93,7 +93,8 @@ std::string gateHtml(const app::GateOptions& options, const app::GateResult& res
   page.add(gateFigure(result));
   page.section("pairs", "Pairs");
   if (findings.empty()) {
-    page.body += paragraph("In no pair has only the candidate failed, and all metrics are passed.");
+    page.body +=
+        paragraph("There is no pair in which only the candidate failed, and all metrics passed.");
   } else {
     page.add(findingsTable(options, findings, kMostRows), "failures");
   }

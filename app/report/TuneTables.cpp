@@ -177,7 +177,7 @@ Table tuneEffectsTable(const app::TuneOptions& options, const app::TuneSubject& 
           counted(result.chosenRuns, "run") +
           " of the search. Score: loss without the change, in percent of the present score. "
           "Differences with the change − without it, 95 % intervals. Changes that lose nothing "
-          "when they are taken back together are not in the tuned file.",
+          "when they are reverted together are not in the tuned file.",
       {{"Parameter", "", false}, {"Before", ""}, {"After", ""}, {"Score", ""}},
       {}};
   addObjectiveColumns(options, table);
@@ -250,9 +250,9 @@ Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& su
                      const app::TuneResult& result) {
   Table table{
       "front",
-      "Candidates that no other one surpasses, in the runs of the search (changes relative to the "
-      "present values with the same seeds). The search has chosen among many, so these values are "
-      "too good on average.",
+      "Pareto-optimal candidates in the runs of the search (changes relative to the present values "
+      "with the same seeds). The best of many candidates is selected, so these values are "
+      "optimistic on average.",
       {},
       {}};
   addChangeColumns(options, table);
@@ -311,7 +311,7 @@ std::optional<Figure> tuneFrontFigure(const app::TuneOptions& options,
   }
   figure.caption = options.objectives[0].name + " versus " + options.objectives[1].name +
                    " of the candidates that were run on all runs of the search, relative to the "
-                   "present values. The line connects those that no other one surpasses.";
+                   "present values. The line connects the Pareto-optimal ones.";
   return figure;
 }
 

@@ -160,8 +160,8 @@ void readMapOf(Bundle& bundle, const sim2d::FileSearchPaths& places, FileCache& 
   bundle.mapImagePath = map->imagePath;
 }
 
-/// People without a tree file get that of their behaviour; the reader is told. Beside a scenario of
-/// HuNavSim's there should be files; one of ours can do without any.
+/// Reports people without a tree file, whose trees are generated: information if `isUsual`, else a
+/// warning, because scenarios of HuNavSim should have tree files.
 void tellGenerated(Bundle& bundle, const std::vector<std::string>& names,
                    const sim2d::ScenarioReading& reading, bool isUsual) {
   if (names.empty()) {
@@ -223,7 +223,8 @@ void checkMetrics(const Bundle& bundle, Verdict& verdict) {
   }
 }
 
-/// What robots want to start is an error of a run that may not, else only worth telling.
+/// Reports external code of robots unless it is allowed: an error with Refused, a warning with
+/// Skipped.
 void tellCode(const Bundle& bundle, const std::vector<ExternalCode>& code, Verdict& verdict) {
   const sim2d::ExternalCodePolicy use = bundle.settings.code;
   if (code.empty() || use == sim2d::ExternalCodePolicy::Allowed) {

@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// How many ways a run may go on from a moment are looked at, and how far.
+/// Number and duration of the simulated futures of a run.
 struct FuturesOptions {
   int count = 20;          // of futures
   double horizon = 10.0;   // [s]
@@ -32,7 +32,7 @@ struct FutureContact {
   base::Vec2 where = base::Vec2::Zero();  // of `id` [m]
 };
 
-/// One way in which a run may go on.
+/// One simulated continuation of a run.
 struct Future {
   int number = 0;  // 0, 1 … in the order of their seeds
   long long seed = 1;
@@ -42,11 +42,10 @@ struct Future {
   std::string failure;  // why the world stopped before the horizon; empty: it did not
 };
 
-/// From a world that stands at the moment, `bundle` being what it is by then. Each future is a copy
-/// of the process that draws all that is drawn by its own seed, and in which, once a second,
-/// everybody who walks gets a velocity beside the own: normal on both axes, of `spread`. `tell`
-/// hears of each as it ends; `wantsStop` is asked ten times a second. Of this process only one
-/// thread may be running. Errors: programs of others in the scenario, no more processes.
+/// Simulates futures of a world, each in a copy of the process with its own random seed. Once per
+/// second, each walking person gets a random velocity with standard deviation `spread` per axis.
+/// `tell` receives each finished future; `wantsStop` is polled ten times per second. The process
+/// must have a single thread. Errors: external code in the scenario, no more processes.
 base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
                                   const FuturesOptions& options,
                                   const std::function<void(const Future&)>& tell,
@@ -66,15 +65,14 @@ struct ContactChance {
   double chance = 0.0;
   statistics::Interval interval;  // Wilson's, 95 %
 };
-/// Every `gap` [s] from the moment to the horizon. Those that failed before count as far as they
-/// came: as free of contact when they met with none.
+/// Every `gap` [s] from the moment to the horizon. Futures that failed before a contact count as
+/// free of contact.
 std::vector<ContactChance> contactChances(const std::vector<Future>& futures, double from,
                                           double horizon, double gap = 0.2);
-/// The time by which half of all contacts have happened [s]: where it is decided; none without
-/// contacts.
+/// The median time of the contacts [s]; none without contacts.
 std::optional<double> decisiveMoment(const std::vector<Future>& futures);
 
-/// What another process of this program needs to look into the future of a run.
+/// A request to another process of this program to simulate futures of a run.
 struct FuturesQuestion {
   Bundle bundle;  // from its beginning
   std::vector<RunBranch> branches;
@@ -86,8 +84,8 @@ struct FuturesQuestion {
 /// All of it as bytes, for the same program alone.
 std::string questionBytes(const FuturesQuestion& question);
 base::Result<FuturesQuestion> questionOf(const std::string& bytes);
-/// Makes the run again up to the moment, then its futures. Errors: those of the run; it goes
-/// another way than it did; those of `simulateFutures`.
+/// Replays the run up to the step `at`, then simulates its futures. Errors: those of the run and of
+/// `simulateFutures`; the replay diverges from the recording.
 base::Diagnostics answer(const FuturesQuestion& question,
                          const std::function<void(const Future&)>& tell,
                          const std::function<bool()>& wantsStop);

@@ -14,7 +14,7 @@
 namespace app {
 
 /// Excludes other hunavsim processes from writing results into a folder. The lock ends with the
-/// process in any case; its file names the owner. Whoever takes it completes the commit of a killed
+/// process in any case; its file names the owner. Acquiring it completes the commit of a killed
 /// process first.
 ///
 /// A commit: a folder with all new files, manifest.json among them, gets the name kCommitFolder;

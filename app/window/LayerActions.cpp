@@ -125,8 +125,9 @@ void WindowActions::makeToggles() {
         &Actions::lidar},
        {QT_TRANSLATE_NOOP("app::WindowActions", "&Detections"), &Options::detections,
         kWithShift | Qt::Key_D,
-        QT_TRANSLATE_NOOP("app::WindowActions",
-                          "Positions of people and of themselves as robots estimate them in a run"),
+        QT_TRANSLATE_NOOP(
+            "app::WindowActions",
+            "Positions of people and of the robots, as estimated by the robots in a run"),
         "map/detections", &Actions::detections},
        {QT_TRANSLATE_NOOP("app::WindowActions", "Candidate tra&jectories"), &Options::candidates,
         kWithShift | Qt::Key_W,

@@ -109,7 +109,7 @@ QWidget* makeMixFields(CrowdRecipe& recipe, const Theme& theme,
   }
   // Placed here because the option row must fit into a small window.
   add(kBehaviorCount, QObject::tr("Seed"), {0.0, 999999.0, 0, 1.0}, {}, recipe.seed)
-      ->setToolTip(QObject::tr("Another seed generates other people"));
+      ->setToolTip(QObject::tr("Another seed generates different people"));
   showMarks(*page, theme);
   return page;
 }

@@ -6,7 +6,7 @@
 #include "metrics/statistics/Summary.h"
 
 /// Confidence sequences: intervals for a mean that hold at all sample sizes together, so that a
-/// study may look at its results as often as it likes and stop whenever it knows enough.
+/// study may evaluate its results at any time and stop as soon as they are sufficient.
 namespace statistics {
 
 /// The mean of bounded observations. The bounds of the interval come from bets against each value m

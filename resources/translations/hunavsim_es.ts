@@ -246,7 +246,7 @@
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Factor of the repulsive force of the robot while scared; never drawn</source>
+        <source>Factor of the repulsive force of the robot while scared; never randomised</source>
         <translation>Factor de la fuerza de repulsión del robot durante el susto; nunca aleatorio</translation>
     </message>
     <message>
@@ -1090,7 +1090,7 @@
         <translation>Dir. de arrastre</translation>
     </message>
     <message>
-        <source>Speed: direction in which they are carried</source>
+        <source>Speed: direction in which people inside are carried</source>
         <translation>Velocidad: dirección en que se las transporta</translation>
     </message>
     <message>
@@ -5057,7 +5057,7 @@
         <translation>Semilla</translation>
     </message>
     <message>
-        <source>Another seed generates other people</source>
+        <source>Another seed generates different people</source>
         <translation>Otra semilla genera otras personas</translation>
     </message>
     <message>
@@ -5593,8 +5593,8 @@ Elegir qué muestra el mapa</translation>
         <translation>Camiseta roja</translation>
     </message>
     <message>
-        <source>Drawn by Isaac</source>
-        <translation>Elegido por Isaac</translation>
+        <source>Random (Isaac Sim)</source>
+        <translation>Aleatorio (Isaac Sim)</translation>
     </message>
 </context>
 <context>
@@ -5724,7 +5724,7 @@ Elegir qué muestra el mapa</translation>
         <translation>Mapa</translation>
     </message>
     <message>
-        <source>The scenario. The wheel zooms, the middle button or Space and drag move the map. The status bar says what the mouse does with the active tool. During a run, click a person for details; right-click to push, stop or add people.</source>
+        <source>The scenario. The wheel zooms, the middle button or Space and drag move the map. The status bar shows what the mouse does with the active tool. During a run, click a person for details; right-click to push, stop or add people.</source>
         <translation>El escenario. La rueda amplía y reduce, el botón central o Espacio y arrastrar mueven el mapa. La barra de estado dice qué hace el ratón con la herramienta activa. Durante una ejecución, haga clic en una persona para ver los detalles; clic derecho para empujar, detener o añadir personas.</translation>
     </message>
     <message>
@@ -6257,7 +6257,7 @@ Elegir qué muestra el mapa</translation>
         <translation>Pares</translation>
     </message>
     <message>
-        <source>In no pair has only the candidate failed, and all metrics are passed.</source>
+        <source>There is no pair in which only the candidate failed, and all metrics passed.</source>
         <translation>En ningún par ha fallado solo el candidato, y todas las métricas se superan.</translation>
     </message>
     <message>
@@ -6746,7 +6746,7 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
         <translation>Límite de tiempo</translation>
     </message>
     <message>
-        <source>Run broke off</source>
+        <source>Run aborted</source>
         <translation>Ejecución interrumpida</translation>
     </message>
     <message>
@@ -6960,7 +6960,7 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
         <translation>&amp;Tema</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System language</source>
         <translation>Como el sistema</translation>
     </message>
     <message>
@@ -6976,12 +6976,12 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
         <translation>&amp;Idioma</translation>
     </message>
     <message>
-        <source>Used from the next start on.</source>
+        <source>Takes effect at the next start.</source>
         <translation>Se usa a partir del próximo inicio.</translation>
     </message>
     <message>
         <source>Animations
-Without them, the map changes at once</source>
+Without animations, the map changes immediately</source>
         <translation>Animaciones
 Sin ellas, el mapa cambia de inmediato</translation>
     </message>
@@ -7048,7 +7048,7 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>Copy after</source>
+        <source>Copy interval</source>
         <translation>Copiar tras</translation>
     </message>
     <message>
@@ -7056,7 +7056,7 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
         <translation>El tiempo máximo entre un cambio y su copia</translation>
     </message>
     <message>
-        <source>C&amp;opy after</source>
+        <source>C&amp;opy interval</source>
         <translation>C&amp;opiar tras</translation>
     </message>
     <message>
@@ -7080,7 +7080,7 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
         <translation>&amp;Guardar copias de los cambios sin guardar</translation>
     </message>
     <message>
-        <source>Like the desktop</source>
+        <source>Follow system</source>
         <translation>Como el escritorio</translation>
     </message>
 </context>
@@ -7636,7 +7636,7 @@ El valor mínimo es el alto que el mapa necesita</translation>
         <translation>El escenario tiene el mismo final y las mismas métricas, bit a bit</translation>
     </message>
     <message>
-        <source>The scenario does not repeat the run</source>
+        <source>The scenario does not reproduce the run</source>
         <translation>El escenario no repite la ejecución</translation>
     </message>
     <message>
@@ -7659,7 +7659,7 @@ El valor mínimo es el alto que el mapa necesita</translation>
 <context>
     <name>app::SensitivityPage</name>
     <message>
-        <source>Plane of μ* and σ</source>
+        <source>μ*–σ plot</source>
         <translation>Plano de μ* y σ</translation>
     </message>
     <message>
@@ -8499,7 +8499,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Cambios</translation>
     </message>
     <message>
-        <source>No candidate was better in the search, so that none was evaluated on new runs.</source>
+        <source>No candidate was better in the search, so none was evaluated on new runs.</source>
         <translation>Ningún candidato fue mejor en la búsqueda, por lo que no se evaluó ninguno en ejecuciones nuevas.</translation>
     </message>
     <message>
@@ -8535,7 +8535,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Después − antes con intervalos del 95 %, en ejecuciones que la búsqueda no ha visto, emparejadas por escenario y semilla. Los pares con una ejecución fallida se excluyen de los objetivos.</translation>
     </message>
     <message>
-        <source>%1: all seeds have the same results, so that its runs are not independent.</source>
+        <source>%1: all seeds have the same results, so its runs are not independent.</source>
         <translation>%1: todas las semillas dan los mismos resultados, por lo que sus ejecuciones no son independientes.</translation>
     </message>
     <message>
@@ -8571,7 +8571,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Efecto en %1</translation>
     </message>
     <message>
-        <source>Effect on the score: what is lost without the change. Effects on metrics: with the change − without it, with 95 % intervals, on runs of the search. Changes that lose nothing when they are taken back together are not in the tuned file.</source>
+        <source>Effect on the score: what is lost without the change. Effects on metrics: with the change − without it, with 95 % intervals, on runs of the search. Changes that lose nothing when they are reverted together are not in the tuned file.</source>
         <translation>Efecto en la puntuación: lo que se pierde sin el cambio. Efectos en las métricas: con el cambio − sin él, con intervalos del 95 %, en ejecuciones de la búsqueda. Los cambios que no pierden nada al deshacerlos juntos no están en el archivo ajustado.</translation>
     </message>
     <message>
@@ -8611,8 +8611,8 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Valores cambiados</translation>
     </message>
     <message>
-        <source>Candidates that no other one surpasses, in the runs of the search, relative to the present values. The search has chosen among many, so that these values are too good on average.</source>
-        <translation>Candidatos que ningún otro supera, en las ejecuciones de la búsqueda, en relación con los valores actuales. La búsqueda ha elegido entre muchos, por lo que estos valores son demasiado buenos en promedio.</translation>
+        <source>Pareto-optimal candidates in the runs of the search, relative to the present values. The best of many candidates is selected, so these values are optimistic on average.</source>
+        <translation>Candidatos óptimos de Pareto en las ejecuciones de la búsqueda, en relación con los valores actuales. Se elige el mejor de muchos candidatos, por lo que estos valores son optimistas en promedio.</translation>
     </message>
     <message>
         <source>before</source>
@@ -8706,8 +8706,8 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>&amp;Detecciones</translation>
     </message>
     <message>
-        <source>Positions of people and of themselves as robots estimate them in a run</source>
-        <translation>Posiciones de las personas y de sí mismos que los robots estiman en una ejecución</translation>
+        <source>Positions of people and of the robots, as estimated by the robots in a run</source>
+        <translation>Posiciones de las personas y de los robots, estimadas por los robots en una ejecución</translation>
     </message>
     <message>
         <source>Candidate tra&amp;jectories</source>
@@ -9682,7 +9682,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
 <context>
     <name>editor::BranchCommand</name>
     <message>
-        <source>Continue the run from the displayed step in another way: another planner, other positions, another seed; the run itself is kept</source>
+        <source>Continue the run from the displayed step with changes: another planner, other positions, another seed; the run itself is kept</source>
         <translation>Continuar la ejecución desde el paso mostrado de otra manera: otro planificador, otras posiciones, otra semilla; la ejecución misma se conserva</translation>
     </message>
     <message>
@@ -12463,7 +12463,7 @@ Pulse P y haga clic para colocar una persona.</translation>
         <translation>como arriba</translation>
     </message>
     <message>
-        <source>Card</source>
+        <source>Scenario card</source>
         <translation>Ficha</translation>
     </message>
     <message>

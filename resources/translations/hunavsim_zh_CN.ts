@@ -246,7 +246,7 @@
         <translation>机器人</translation>
     </message>
     <message>
-        <source>Factor of the repulsive force of the robot while scared; never drawn</source>
+        <source>Factor of the repulsive force of the robot while scared; never randomised</source>
         <translation>害怕时机器人排斥力的系数；从不随机</translation>
     </message>
     <message>
@@ -1090,7 +1090,7 @@
         <translation>运载方向</translation>
     </message>
     <message>
-        <source>Speed: direction in which they are carried</source>
+        <source>Speed: direction in which people inside are carried</source>
         <translation>速度：运载行人的方向</translation>
     </message>
     <message>
@@ -5057,7 +5057,7 @@
         <translation>种子</translation>
     </message>
     <message>
-        <source>Another seed generates other people</source>
+        <source>Another seed generates different people</source>
         <translation>不同的种子会生成不同的行人</translation>
     </message>
     <message>
@@ -5593,8 +5593,8 @@ Choose what the map shows</source>
         <translation>红色T恤</translation>
     </message>
     <message>
-        <source>Drawn by Isaac</source>
-        <translation>由 Isaac 选择</translation>
+        <source>Random (Isaac Sim)</source>
+        <translation>随机（Isaac Sim）</translation>
     </message>
 </context>
 <context>
@@ -5724,7 +5724,7 @@ Choose what the map shows</source>
         <translation>地图</translation>
     </message>
     <message>
-        <source>The scenario. The wheel zooms, the middle button or Space and drag move the map. The status bar says what the mouse does with the active tool. During a run, click a person for details; right-click to push, stop or add people.</source>
+        <source>The scenario. The wheel zooms, the middle button or Space and drag move the map. The status bar shows what the mouse does with the active tool. During a run, click a person for details; right-click to push, stop or add people.</source>
         <translation>场景。滚轮缩放，鼠标中键或空格键加拖动可移动地图。状态栏说明当前工具的鼠标操作。运行期间，单击行人查看详情；右键单击可推动、停止或添加行人。</translation>
     </message>
     <message>
@@ -6257,7 +6257,7 @@ Choose what the map shows</source>
         <translation>对数</translation>
     </message>
     <message>
-        <source>In no pair has only the candidate failed, and all metrics are passed.</source>
+        <source>There is no pair in which only the candidate failed, and all metrics passed.</source>
         <translation>没有任何一对中仅候选失败，且所有指标均通过。</translation>
     </message>
     <message>
@@ -6746,7 +6746,7 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
         <translation>超时</translation>
     </message>
     <message>
-        <source>Run broke off</source>
+        <source>Run aborted</source>
         <translation>运行中断</translation>
     </message>
     <message>
@@ -6960,7 +6960,7 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
         <translation>主题(&amp;T)</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System language</source>
         <translation>与系统一致</translation>
     </message>
     <message>
@@ -6976,12 +6976,12 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
         <translation>语言(&amp;L)</translation>
     </message>
     <message>
-        <source>Used from the next start on.</source>
+        <source>Takes effect at the next start.</source>
         <translation>下次启动时生效。</translation>
     </message>
     <message>
         <source>Animations
-Without them, the map changes at once</source>
+Without animations, the map changes immediately</source>
         <translation>动画
 关闭后，地图立即变化</translation>
     </message>
@@ -7048,7 +7048,7 @@ After a crash, the program offers to restore them</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>Copy after</source>
+        <source>Copy interval</source>
         <translation>复制间隔</translation>
     </message>
     <message>
@@ -7056,7 +7056,7 @@ After a crash, the program offers to restore them</source>
         <translation>更改与其副本之间的最长时间</translation>
     </message>
     <message>
-        <source>C&amp;opy after</source>
+        <source>C&amp;opy interval</source>
         <translation>复制间隔(&amp;O)</translation>
     </message>
     <message>
@@ -7080,7 +7080,7 @@ After a crash, the program offers to restore them</source>
         <translation>保留未保存更改的副本(&amp;K)</translation>
     </message>
     <message>
-        <source>Like the desktop</source>
+        <source>Follow system</source>
         <translation>与桌面一致</translation>
     </message>
 </context>
@@ -7636,7 +7636,7 @@ The lowest value is the height that the map requires</source>
         <translation>该场景的结局和指标逐位相同</translation>
     </message>
     <message>
-        <source>The scenario does not repeat the run</source>
+        <source>The scenario does not reproduce the run</source>
         <translation>该场景不能重复此运行</translation>
     </message>
     <message>
@@ -7659,7 +7659,7 @@ The lowest value is the height that the map requires</source>
 <context>
     <name>app::SensitivityPage</name>
     <message>
-        <source>Plane of μ* and σ</source>
+        <source>μ*–σ plot</source>
         <translation>μ* 与 σ 平面</translation>
     </message>
     <message>
@@ -8499,7 +8499,7 @@ For each seed, all planners run with the same people.</source>
         <translation>更改</translation>
     </message>
     <message>
-        <source>No candidate was better in the search, so that none was evaluated on new runs.</source>
+        <source>No candidate was better in the search, so none was evaluated on new runs.</source>
         <translation>搜索中没有更好的候选，因此未在新的运行中评估。</translation>
     </message>
     <message>
@@ -8535,7 +8535,7 @@ For each seed, all planners run with the same people.</source>
         <translation>之后 − 之前及 95 % 区间，基于搜索未见过的运行，按场景和种子配对。含失败运行的对不计入目标。</translation>
     </message>
     <message>
-        <source>%1: all seeds have the same results, so that its runs are not independent.</source>
+        <source>%1: all seeds have the same results, so its runs are not independent.</source>
         <translation>%1：所有种子的结果相同，因此其运行不独立。</translation>
     </message>
     <message>
@@ -8571,7 +8571,7 @@ For each seed, all planners run with the same people.</source>
         <translation>对 %1 的影响</translation>
     </message>
     <message>
-        <source>Effect on the score: what is lost without the change. Effects on metrics: with the change − without it, with 95 % intervals, on runs of the search. Changes that lose nothing when they are taken back together are not in the tuned file.</source>
+        <source>Effect on the score: what is lost without the change. Effects on metrics: with the change − without it, with 95 % intervals, on runs of the search. Changes that lose nothing when they are reverted together are not in the tuned file.</source>
         <translation>对得分的影响：没有该更改时的损失。对指标的影响：有更改 − 无更改，含 95 % 区间，基于搜索的运行。一起撤销而无损失的更改不在调好的文件中。</translation>
     </message>
     <message>
@@ -8611,8 +8611,8 @@ For each seed, all planners run with the same people.</source>
         <translation>更改的值</translation>
     </message>
     <message>
-        <source>Candidates that no other one surpasses, in the runs of the search, relative to the present values. The search has chosen among many, so that these values are too good on average.</source>
-        <translation>搜索运行中没有被其他候选超越的候选，相对于当前值。由于搜索从许多候选中选出，这些值平均而言过于乐观。</translation>
+        <source>Pareto-optimal candidates in the runs of the search, relative to the present values. The best of many candidates is selected, so these values are optimistic on average.</source>
+        <translation>搜索运行中的帕累托最优候选，相对于当前值。由于从许多候选中选出最佳者，这些值平均而言偏乐观。</translation>
     </message>
     <message>
         <source>before</source>
@@ -8706,7 +8706,7 @@ For each seed, all planners run with the same people.</source>
         <translation>检测(&amp;D)</translation>
     </message>
     <message>
-        <source>Positions of people and of themselves as robots estimate them in a run</source>
+        <source>Positions of people and of the robots, as estimated by the robots in a run</source>
         <translation>运行中机器人估计的行人位置和自身位置</translation>
     </message>
     <message>
@@ -9682,7 +9682,7 @@ For each seed, all planners run with the same people.</source>
 <context>
     <name>editor::BranchCommand</name>
     <message>
-        <source>Continue the run from the displayed step in another way: another planner, other positions, another seed; the run itself is kept</source>
+        <source>Continue the run from the displayed step with changes: another planner, other positions, another seed; the run itself is kept</source>
         <translation>从显示的步开始以其他方式继续运行：其他规划器、其他位置、其他种子；原运行会保留</translation>
     </message>
     <message>
@@ -12463,7 +12463,7 @@ Press P and click to place a person.</source>
         <translation>同上</translation>
     </message>
     <message>
-        <source>Card</source>
+        <source>Scenario card</source>
         <translation>卡片</translation>
     </message>
     <message>

@@ -468,31 +468,32 @@ Fields<Dock> dockFields() {
 }
 
 Fields<Area> areaFields() {
-  return {field("kind", &Area::kind, "Purpose of the area", {"Kind"})
-              .words({"source", "sink", "wait", "exit", "speed"})
-              .required(),
-          xs<Area>([](YamlMap& view, Area& to) { readPoints(view, to, 3); }),
-          ys<Area>(),
-          field("like", &Area::like, "Source: the person that is copied", {"Copies"}),
-          field("rate", &Area::rate, "Source: people per second", {"Rate", 3, 0.05}, "1/s",
-                {0.0, 1000.0}),
-          field("from", &Area::from, "Source: people are spawned from this time on",
-                {"From", 1, 1.0}, "s", base::kTime)
-              .defaultsTo(0.0),
-          field("until", &Area::until, "Source: no people are spawned after this time",
-                {"Until", 1, 1.0}, "s", base::kTime),
-          field("count", &Area::count, "Source: maximum number of people", {"Max. people", 0, 1.0},
-                {}, {0.0, 1000000.0}),
-          field("factor", &Area::factor, "Speed: factor of the walking speed of people inside",
-                {"Speed factor", 2, 0.1}, {}, {0.01, 10.0})
-              .defaultsTo(1.0),
-          field("carry_speed", &Area::carrySpeed,
-                "Speed: speed with which people inside are carried, as by a travelator",
-                {"Carrying speed", 2, 0.1}, "m/s", {0.0, 10.0})
-              .defaultsTo(0.0),
-          field("carry_h", &Area::carryHeading, "Speed: direction in which they are carried",
-                {"Carrying direction", 2, 0.1}, "rad", {-10.0, 10.0})
-              .defaultsTo(0.0)};
+  return {
+      field("kind", &Area::kind, "Purpose of the area", {"Kind"})
+          .words({"source", "sink", "wait", "exit", "speed"})
+          .required(),
+      xs<Area>([](YamlMap& view, Area& to) { readPoints(view, to, 3); }),
+      ys<Area>(),
+      field("like", &Area::like, "Source: the person that is copied", {"Copies"}),
+      field("rate", &Area::rate, "Source: people per second", {"Rate", 3, 0.05}, "1/s",
+            {0.0, 1000.0}),
+      field("from", &Area::from, "Source: people are spawned from this time on", {"From", 1, 1.0},
+            "s", base::kTime)
+          .defaultsTo(0.0),
+      field("until", &Area::until, "Source: no people are spawned after this time",
+            {"Until", 1, 1.0}, "s", base::kTime),
+      field("count", &Area::count, "Source: maximum number of people", {"Max. people", 0, 1.0}, {},
+            {0.0, 1000000.0}),
+      field("factor", &Area::factor, "Speed: factor of the walking speed of people inside",
+            {"Speed factor", 2, 0.1}, {}, {0.01, 10.0})
+          .defaultsTo(1.0),
+      field("carry_speed", &Area::carrySpeed,
+            "Speed: speed with which people inside are carried, as by a travelator",
+            {"Carrying speed", 2, 0.1}, "m/s", {0.0, 10.0})
+          .defaultsTo(0.0),
+      field("carry_h", &Area::carryHeading, "Speed: direction in which people inside are carried",
+            {"Carrying direction", 2, 0.1}, "rad", {-10.0, 10.0})
+          .defaultsTo(0.0)};
 }
 
 }  // namespace sim2d

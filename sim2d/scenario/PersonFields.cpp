@@ -134,7 +134,7 @@ Fields<Behavior> behaviorFields() {
       factor("social_force_factor", &Behavior::socialForceFactor, &Resolved::socialFactor,
              "Factor of the repulsive force of other people", {"People", 2, 0.5, 20.0}),
       factor("other_force_factor", &Behavior::otherForceFactor, &Resolved::otherFactor,
-             "Factor of the repulsive force of the robot while scared; never drawn",
+             "Factor of the repulsive force of the robot while scared; never randomised",
              {"Robot", 2, 1.0, 25.0})
           .resolvedTo(&Resolved::otherFactor)};
 }

@@ -212,7 +212,7 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     QCOMPARE(cell(bars, 0, 0), text("max_vel"));
     QCOMPARE(numbersOf(bars, 0, 2, app::kBarRole), (std::vector<double>{2.5, 1.5, 4.0, 4.0, 0.0}));
     QCOMPARE(numbersOf(bars, 1, 2, app::kBarRole)[3], 4.0);  // one scale
-    auto& plane = quiet::part<editor::ScatterPlot>(*panel().outputPage(), "Plane of μ* and σ");
+    auto& plane = quiet::part<editor::ScatterPlot>(*panel().outputPage(), "μ*–σ plot");
     QCOMPARE(plane.shown().points[1].x, 0.5);
     QCOMPARE(plane.shown().points[1].y, 0.125);
     bars.setCurrentCell(1, 0);
@@ -230,7 +230,7 @@ class StudyOutputPagesTest : public QObject, protected quiet::InFolder {
     const QTableWidget& bars = table("Importance");
     QCOMPARE(numbersOf(bars, 0, 2, app::kBarRole),
              (std::vector<double>{0.75, 0.5, 1.0, 1.0, 0.25}));
-    auto& plane = quiet::part<editor::ScatterPlot>(*panel().outputPage(), "Plane of μ* and σ");
+    auto& plane = quiet::part<editor::ScatterPlot>(*panel().outputPage(), "μ*–σ plot");
     QVERIFY(!plane.isVisible());
     showTab(1);
     QVERIFY(isSaid(text("All results are certain: points and seeds suffice.")));

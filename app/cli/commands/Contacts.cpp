@@ -258,7 +258,7 @@ void addContacts(CommandRegistry& commands) {
                      "Repeat the run without each person within this distance of a contact during "
                      "the 10 s before it [m] (default: 5; 0: none)");
   command.add_flag("--quick", options.quick,
-                   "Only last avoidable actions: no repetitions without people or robots");
+                   "Find only last avoidable actions; do not repeat runs without people or robots");
   addJobs(command, options.report.jobs);
   commands.addExamples(
       command, {{"hunavsim contacts out --quick",

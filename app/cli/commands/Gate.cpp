@@ -178,9 +178,8 @@ void addGate(CommandRegistry& commands) {
       "gate", "Test whether a candidate is not worse than a base, for build servers", gateCommand);
   const char* const kSides =
       ": parameter file, tree, planner, program, PATH=VALUE, scenario or folder of scenarios";
-  command.add_option("base", arguments.base, std::string("What is compared with") + kSides)
-      ->required();
-  command.add_option("candidate", arguments.candidate, std::string("What is tested") + kSides)
+  command.add_option("base", arguments.base, std::string("Baseline") + kSides)->required();
+  command.add_option("candidate", arguments.candidate, std::string("Candidate to test") + kSides)
       ->required();
   command.add_option("--scenarios", arguments.scenarios,
                      "Scenario files, or names from list scenarios (of compared folders: names in "
@@ -194,7 +193,8 @@ void addGate(CommandRegistry& commands) {
       ->allow_extra_args(false);
   command
       .add_option("--level", arguments.level,
-                  "One minus the probability of a wrong pass, and of a false alarm (default: 0.95)")
+                  "Confidence level: one minus the probability of a wrong pass or false alarm "
+                  "(default: 0.95)")
       ->check(CLI::Range(0.5, 0.999));
   addGateRunOptions(command, arguments);
   addOutputFolder(command, arguments.output,
@@ -203,7 +203,7 @@ void addGate(CommandRegistry& commands) {
       command,
       {{"hunavsim gate dwa mppi --scenarios crossing_agents doorway_agents --metric "
         "time_to_reach_goal:10% -o gate",
-        "Is mppi at most 10 % slower than dwa in two scenes?", "some minutes"},
+        "Test whether mppi is at most 10 % slower than dwa in two scenarios", "some minutes"},
        {"hunavsim gate main.yaml changed.yaml --scenarios crossing_agents -o gate",
         "Compare two parameter files of Nav2", "your files"},
        {"hunavsim gate mppi \"python3 planner.py\" --allow-code --scenarios crossing_agents",

@@ -261,7 +261,7 @@ void tellTroubles(sim2d::World& world, const FinishedRun& run) {
   }
 }
 
-/// Null: none is asked for. Robots then tell what they see.
+/// Null: not requested. Otherwise lidar scans are enabled.
 std::unique_ptr<bridge::BagFolderWriter> bagOf(const RunCommandOptions& options,
                                                const Bundle& bundle, sim2d::World& world,
                                                const OutputFolder* output) {

@@ -240,7 +240,7 @@ CLI::Option* addSearchGoals(CLI::App& command, SearchOptions& options) {
   return command
       .add_flag("--cover", options.covers,
                 "Find runs that reach nodes of people's and Nav2's behaviour trees which no "
-                "other run has reached; stop when all that can be reached are")
+                "other run has reached; stop when all reachable nodes are covered")
       ->excludes(worst)
       ->excludes(untilFailure);
 }
@@ -275,7 +275,8 @@ void addSearch(CommandRegistry& commands) {
   command.add_option("--search-seed", options.seed, "Seed of the search itself (default: 1)")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--all-contacts", options.allContacts,
-                   "Count contacts too that the robot could not have avoided since first sight");
+                   "Also count contacts that the robot could not have avoided after it first "
+                   "detected the person");
   addStudyRunOptions(command, options.run, "search");
   addOutputFolder(command, options.output, "Output folder").required();
   commands.addExamples(

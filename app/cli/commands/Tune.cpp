@@ -192,7 +192,7 @@ void addTuneRunOptions(CLI::App& command, TuneArguments& arguments) {
 
 void addTune(CommandRegistry& commands) {
   const auto [command, arguments] =
-      commands.add("tune", "Search better parameters of a Nav2 file or of a planner", tuneCommand);
+      commands.add("tune", "Search for better parameters of a Nav2 file or planner", tuneCommand);
   command
       .add_option("params", arguments.params,
                   "Parameter file of Nav2; or a scenario, to tune the planner of its first robot")
@@ -219,10 +219,10 @@ void addTune(CommandRegistry& commands) {
   commands.addExamples(
       command,
       {{"hunavsim tune nav2_params.yaml --scenarios crossing_agents doorway_agents -o tuned",
-        "Tune a parameter file of Nav2 in two scenes", "your file, some minutes"},
+        "Tune a parameter file of Nav2 in two scenarios", "your file, some minutes"},
        {"hunavsim tune nav2_params.yaml --scenarios crossing_agents --held-out corner_cafe_agents "
         "--objective intimate_space_intrusions --runs 1000 -o tuned",
-        "Only make the robot keep its distance; evaluate in another scene",
+        "Reduce only intrusions into the intimate space; evaluate in another scenario",
         "your file, some minutes"},
        {"hunavsim tune crossing_agents --planner pursuit --seeds 1 --runs 60 --held-out-seeds 3 -o "
         "tuned",

@@ -220,7 +220,7 @@ void explainWindow(QMainWindow& window, Workspace& workspace) {
       QCoreApplication::translate(
           "WhatsThis",
           "The scenario. The wheel zooms, the middle button or Space and drag move the map. The "
-          "status bar says what the mouse does with the active tool. During a run, click a person "
+          "status bar shows what the mouse does with the active tool. During a run, click a person "
           "for details; right-click to push, stop or add people.")));
 }
 

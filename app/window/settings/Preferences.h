@@ -32,7 +32,7 @@ class Preferences : public QObject {
   bool isAutosaved() const;
   int autosaveSeconds() const;  // the longest time between a change and its copy
   void setAutosave(bool on, int seconds);
-  /// The stored code of the language; empty: that of the system. Used from the next start on.
+  /// The stored code of the language; empty: that of the system. Takes effect at the next start.
   QString language() const { return userSettings_.value(kLanguageKey).toString(); }
   void setLanguage(const QString& code) { userSettings_.setValue(kLanguageKey, code); }
   int historyMegabytes() const;

@@ -67,17 +67,17 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const WindowActio
 QWidget* PreferencesDialog::makeGeneral() {
   auto* page = new QWidget(this);
   QFormLayout* form = pageForm(*page);
-  theme_->addItems({tr("Like the desktop"), tr("Light"), tr("Dark")});
+  theme_->addItems({tr("Follow system"), tr("Light"), tr("Dark")});
   name(*theme_, tr("Theme"), tr("Colours of the window"));
   form->addRow(tr("&Theme"), theme_);
-  language_->addItem(tr("As the system"), QString());
+  language_->addItem(tr("System language"), QString());
   for (const Language& each : languages()) {
     language_->addItem(each.name, each.code);
   }
   name(*language_, tr("Language"), tr("Language of the window"));
   form->addRow(tr("&Language"), language_);
-  form->addRow(QString(), explanation(tr("Used from the next start on."), page));
-  animation_->setToolTip(tr("Animations\nWithout them, the map changes at once"));
+  form->addRow(QString(), explanation(tr("Takes effect at the next start."), page));
+  animation_->setToolTip(tr("Animations\nWithout animations, the map changes immediately"));
   form->addRow(QString(), animation_);
   history_->setRange(kLeastHistory, kMostHistory);
   history_->setSingleStep(kHistoryStep);
@@ -127,8 +127,8 @@ QWidget* PreferencesDialog::makeFiles() {
   seconds_->setRange(Preferences::kLeastSeconds, Preferences::kMostSeconds);
   seconds_->setSuffix(tr(" s"));
   seconds_->setFixedWidth(kFormFieldWidth);
-  name(*seconds_, tr("Copy after"), tr("The longest time between a change and its copy"));
-  form->addRow(tr("C&opy after"), seconds_);
+  name(*seconds_, tr("Copy interval"), tr("The longest time between a change and its copy"));
+  form->addRow(tr("C&opy interval"), seconds_);
   form->addRow(QString(),
                explanation(tr("The scenario file itself is written only when you save it."), page));
   connect(choose, &QPushButton::clicked, this, &PreferencesDialog::chooseFolder);

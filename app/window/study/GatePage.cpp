@@ -108,12 +108,12 @@ class GatePage : public OutputPage {
     }
     addPage(tr("Metrics"),
             pageWithNote(gateMetricsTable(output, place.theme), note.join(QLatin1Char('\n'))));
-    addPage(tr("Pairs"),
-            output.findings.empty()
-                ? static_cast<QWidget*>(editor::emptyState(
-                      tr("In no pair has only the candidate failed, and all metrics are passed."),
-                      this))
-                : makePairs());
+    addPage(tr("Pairs"), output.findings.empty()
+                             ? static_cast<QWidget*>(editor::emptyState(
+                                   tr("There is no pair in which only the candidate failed, and "
+                                      "all metrics passed."),
+                                   this))
+                             : makePairs());
   }
 
  private:

@@ -33,7 +33,7 @@ QString kindPart(const QString& part) {
       {QStringLiteral("standstill"), QT_TRANSLATE_NOOP("app::OutputPage", "Standstill")},
       {QStringLiteral("failure"), QT_TRANSLATE_NOOP("app::OutputPage", "Navigation failed")},
       {QStringLiteral("time"), QT_TRANSLATE_NOOP("app::OutputPage", "Time limit")},
-      {QStringLiteral("error"), QT_TRANSLATE_NOOP("app::OutputPage", "Run broke off")},
+      {QStringLiteral("error"), QT_TRANSLATE_NOOP("app::OutputPage", "Run aborted")},
       {QStringLiteral("front"), QT_TRANSLATE_NOOP("app::OutputPage", "person in front")},
       {QStringLiteral("left"), QT_TRANSLATE_NOOP("app::OutputPage", "person on the left")},
       {QStringLiteral("right"), QT_TRANSLATE_NOOP("app::OutputPage", "person on the right")},
@@ -143,7 +143,7 @@ class SearchPage : public OutputPage {
         add(RepeatedColumn, failure.isRepeated ? tr("yes") : tr("no"), true);
     repeated->setToolTip(failure.isRepeated
                              ? tr("The scenario has the same end and metrics, bit for bit")
-                             : tr("The scenario does not repeat the run"));
+                             : tr("The scenario does not reproduce the run"));
     if (!failure.isRepeated) {
       repeated->setForeground(place_.theme.color(editor::Role::Error));
     }

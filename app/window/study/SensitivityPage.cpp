@@ -103,7 +103,7 @@ class SensitivityPage : public OutputPage {
     metrics_ = new editor::ChoiceField(this);
     cases_ = new editor::ChoiceField(this);
     table_ = new QTableWidget(this);
-    plane_ = new editor::ScatterPlot(theme, tr("Plane of μ* and σ"), this);
+    plane_ = new editor::ScatterPlot(theme, tr("μ*–σ plot"), this);
     fillChoices();
     auto* content = new QWidget(this);
     auto* rows = editor::configuredLayout(new QVBoxLayout(content), {}, 0);

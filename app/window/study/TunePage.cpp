@@ -123,8 +123,7 @@ class TunePage : public OutputPage {
   QWidget* makeEvaluation() {
     if (output_.evaluations.empty()) {
       return editor::emptyState(
-          tr("No candidate was better in the search, so that none was evaluated on new runs."),
-          this);
+          tr("No candidate was better in the search, so none was evaluated on new runs."), this);
     }
     auto* table = new QTableWidget;
     styleStudyTable(*table, tr("Evaluation"));
@@ -141,7 +140,7 @@ class TunePage : public OutputPage {
            "seen, paired by scenario and seed. Pairs in which a run failed are "
            "excluded from the objectives.")};
     for (const std::string& scenario : output_.withoutSeedEffect) {
-      note.append(tr("%1: all seeds have the same results, so that its runs are not independent.")
+      note.append(tr("%1: all seeds have the same results, so its runs are not independent.")
                       .arg(scenarioTitle(scenario)));
     }
     return pageWithNote(table, note.join(QLatin1Char('\n')));
@@ -201,7 +200,7 @@ class TunePage : public OutputPage {
         table,
         tr("Effect on the score: what is lost without the change. Effects on metrics: with the "
            "change − without it, with 95 % intervals, on runs of the search. Changes that lose "
-           "nothing when they are taken back together are not in the tuned file."));
+           "nothing when they are reverted together are not in the tuned file."));
   }
 
   void addParameter(QTableWidget& table, const TuneOutput::Parameter& parameter) {
@@ -266,10 +265,10 @@ class TunePage : public OutputPage {
       halves->setStretchFactor(1, 1);
       content = halves;
     }
-    return pageWithNote(content,
-                        tr("Candidates that no other one surpasses, in the runs of the search, "
-                           "relative to the present values. The search has chosen among many, so "
-                           "that these values are too good on average."));
+    return pageWithNote(
+        content, tr("Pareto-optimal candidates in the runs of the search, "
+                    "relative to the present values. The best of many candidates is selected, so "
+                    "these values are optimistic on average."));
   }
 
   void addCandidate(QTableWidget& table, std::size_t number) {

@@ -399,7 +399,7 @@ void SettingsPage::addVariationSection() {
 }
 
 void SettingsPage::addCardSection() {
-  FormSection* section = addSection(tr("Card"));
+  FormSection* section = addSection(tr("Scenario card"));
   section->setOpen(false);
   for (const auto& field : sim2d::fieldsOf<Card>()) {
     FieldOptions options;

@@ -404,7 +404,7 @@ const std::vector<Skin>& skinsOf(const std::string& simulator) {
       {7, QT_TRANSLATE_NOOP("Skin", "Blue t-shirt"), "#2F7FD0", kDark},
       {8, QT_TRANSLATE_NOOP("Skin", "Red t-shirt"), "#C8453B", kDark}};
   static const std::vector<Skin> kIsaac = {
-      {0, QT_TRANSLATE_NOOP("Skin", "Drawn by Isaac"), "#8A94A0", kGrey, Head::Dice},
+      {0, QT_TRANSLATE_NOOP("Skin", "Random (Isaac Sim)"), "#8A94A0", kGrey, Head::Dice},
       {1, "F_Business_02", "#4A4F6A", kDark, Head::LongHair},
       {2, "F_Medical_01", "#63B7B0", kBlond, Head::LongHair},
       {3, "M_Medical_01", "#63B7B0", kDark},

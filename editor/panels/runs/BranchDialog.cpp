@@ -269,7 +269,7 @@ void BranchDialog::accept() {
 BranchCommand::BranchCommand(SimulationRunner& runner, MapView& view, QAction& action,
                              QObject* parent)
     : QObject(parent), runner_(runner), view_(view), scene_(view.mapScene()), action_(action) {
-  describe(action_, tr("Continue the run from the displayed step in another way: another planner, "
+  describe(action_, tr("Continue the run from the displayed step with changes: another planner, "
                        "other positions, another seed; the run itself is kept"));
   connect(&action_, &QAction::triggered, this, [this] { branchHere(); });
   connect(&runner_, &SimulationRunner::stateChanged, this, &BranchCommand::follow);
