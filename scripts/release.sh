@@ -62,6 +62,8 @@ try_packages() {
   logged "$logs/package.log" "$folder/usr/bin/hunavsim" run corner_cafe_agents --duration 5 --quiet
   logged "$logs/package-python.log" env PYTHONPATH="$folder/usr/lib/python3/dist-packages" \
     /usr/bin/python3 -B -c 'import hunavsim; hunavsim.Scenario("corner_cafe_agents")'
+  logged "$logs/package-onnx.log" "$folder/usr/bin/hunavsim" run crossing_agents --duration 5 --quiet --planner onnx \
+    --set "robot1.planner_parameters.file=$folder/usr/share/hunavsim/resources/policies/crossing_policy.onnx"
   [ -f "$folder/usr/share/hunavsim/manual/index.html" ] || fail "the package has no manual"
   rm -rf "$folder"
 }

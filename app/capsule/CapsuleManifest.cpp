@@ -98,7 +98,7 @@ std::string manifestText(const CapsuleManifest& manifest) {
 
 base::Result<CapsuleManifest> parseCapsuleManifest(const std::string& text,
                                                    const std::string& file) {
-  const CapsuleJson json = CapsuleJson::parse(text, nullptr, false);
+  const CapsuleJson json = CapsuleJson::parse(base::shallowJson(text), nullptr, false);
   if (!json.is_object() || json.value("kind", CapsuleJson()) != "capsule") {
     return base::error("capsule.bad-manifest", {}, file);
   }

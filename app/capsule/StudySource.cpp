@@ -17,6 +17,7 @@
 #include "app/run/OutputFolder.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/RunSpec.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace capsule {
@@ -187,7 +188,7 @@ base::Diagnostics readRunFields(const SourceJson& manifest, StudySource& source)
 base::Diagnostics readSingleRun(const app::Manifest& manifest, StudySource& source) {
   base::Diagnostics problems;
   try {
-    problems = readRunFields(SourceJson::parse(manifest.text), source);
+    problems = readRunFields(SourceJson::parse(base::shallowJson(manifest.text)), source);
   } catch (const SourceJson::exception&) {
     return {base::error("capsule.no-study", {}, source.folder)};
   }
@@ -213,7 +214,7 @@ base::Result<StudySource> readStudySource(const std::string& folder,
   if (source.isBatch && !app::entryExists(app::pathIn(folder, "results.csv"))) {
     return base::error("capsule.unfinished", {}, folder);
   }
-  const bool isRun = SourceJson::parse(manifest->text).contains("command_line");
+  const bool isRun = SourceJson::parse(base::shallowJson(manifest->text)).contains("command_line");
   if (!source.isBatch && !isRun) {
     return base::error("capsule.no-study", {}, folder);
   }

@@ -174,8 +174,8 @@ base::Diagnostics firstCsvDifference(const std::string& stored, const std::strin
 base::Diagnostics jsonDifferences(const std::string& stored, const std::string& found,
                                   const std::string& file, const std::vector<std::string>& keys,
                                   std::size_t most) {
-  const DiffJson was = withKeys(DiffJson::parse(stored, nullptr, false), keys);
-  const DiffJson is = withKeys(DiffJson::parse(found, nullptr, false), keys);
+  const DiffJson was = withKeys(DiffJson::parse(base::shallowJson(stored), nullptr, false), keys);
+  const DiffJson is = withKeys(DiffJson::parse(base::shallowJson(found), nullptr, false), keys);
   if (was.is_discarded()) {
     return {base::error("trace.no-json-object", {}, file)};
   }

@@ -120,7 +120,7 @@ base::Diagnostics relocateRun(const CapsuleManifest& manifest, const std::string
   if (!text) {
     return text.diagnostics();
   }
-  RunJson json = RunJson::parse(*text, nullptr, false);
+  RunJson json = RunJson::parse(base::shallowJson(*text), nullptr, false);
   try {
     for (RunJson& word : json.at("command_line")) {
       word = relocatedWord(word.get<std::string>(), manifest, root);

@@ -12,6 +12,7 @@
 #include "app/run/Experiment.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/RunFolder.h"
+#include "sim2d/base/JsonText.h"
 
 namespace capsule {
 
@@ -76,7 +77,9 @@ base::Result<app::RunSpec> specOfUnpackedRun(const CapsuleManifest& manifest,
   }
   std::vector<std::string> words;
   try {
-    words = UnpackedJson::parse(ofRun->text).at("command_line").get<std::vector<std::string>>();
+    words = UnpackedJson::parse(base::shallowJson(ofRun->text))
+                .at("command_line")
+                .get<std::vector<std::string>>();
   } catch (const UnpackedJson::exception&) {
     return base::error("trace.bad-manifest", {}, app::pathIn(folder, app::Manifest::kName));
   }

@@ -4,6 +4,7 @@
 
 #include "app/run/Certificate.h"
 #include "app/run/DataPaths.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -27,7 +28,7 @@ std::vector<CardFile> cardFiles() {
     const base::Result<std::string> text = base::readTextFile(shipped.path);
     one.card = text ? sim2d::cardOf(*text) : sim2d::ScenarioCard();
     const base::Result<std::string> proof = base::readTextFile(certificatePath(shipped.path));
-    one.certificate = proof ? Json::parse(*proof, nullptr, false) : Json();
+    one.certificate = proof ? Json::parse(base::shallowJson(*proof), nullptr, false) : Json();
     one.certificate = one.certificate.is_object() ? one.certificate : Json();
     one.file = std::move(shipped);
     all.push_back(std::move(one));

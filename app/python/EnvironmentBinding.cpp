@@ -112,6 +112,7 @@ py::dict policyOptionsOf(const CrowdEnvironment& environment) {
   result["grid_cells"] = options.gridCells;
   result["grid_resolution"] = options.gridResolution;
   result["repeat"] = options.repeat;
+  result["dt"] = environment.dt();
   return result;
 }
 
@@ -164,7 +165,7 @@ void addEnvironment(py::module_& module) {
       .def_property_readonly("dt", &CrowdEnvironment::dt, "Time step [s].")
       .def_property_readonly("options", &policyOptionsOf,
                              "Options that a trained policy depends on: people, beams, grid_cells, "
-                             "grid_resolution [m] and repeat.")
+                             "grid_resolution [m], repeat and dt [s].")
       .def("limits", &limitsOf, py::arg("robot") = 0,
            "(max v, max reverse v [m/s], max omega [rad/s], is omnidirectional) of a robot.");
 }

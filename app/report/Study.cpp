@@ -14,6 +14,7 @@
 #include "app/run/Experiment.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/ResultRow.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 
@@ -255,7 +256,7 @@ base::Diagnostics readManifest(const fs::path& path, Study& study) {
   if (!text) {
     return text.diagnostics();
   }
-  const Json manifest = Json::parse(*text, nullptr, false);
+  const Json manifest = Json::parse(base::shallowJson(*text), nullptr, false);
   const bool isManifest = manifest.is_object() && manifest.contains("program") &&
                           manifest.contains("inputs") && manifest["inputs"].is_array() &&
                           manifest.contains("runs");

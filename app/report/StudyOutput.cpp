@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studies/FailureShrinking.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -427,7 +428,7 @@ base::Result<StudyOutput> readStudyOutput(const std::string& file) {
   const fs::path path(file);
   const std::string name = path.filename().string();
   try {
-    StudyOutput output = outputOf(name, OutputJson::parse(*text));
+    StudyOutput output = outputOf(name, OutputJson::parse(base::shallowJson(*text)));
     if (auto* const tuned = std::get_if<TuneOutput>(&output)) {
       const std::string diff = (path.parent_path() / "changes.diff").string();
       const base::Result<std::string> changes =

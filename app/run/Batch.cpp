@@ -231,7 +231,7 @@ std::string serializeAnswer(const base::Result<ResultRow>& row) {
 }
 
 base::Result<ResultRow> parseAnswer(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = Json::parse(base::shallowJson(text), nullptr, false);
   if (!json.is_array()) {
     return parseRow(text);
   }

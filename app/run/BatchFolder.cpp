@@ -10,6 +10,7 @@
 #include "app/run/ManifestFiles.h"
 #include "app/run/RunFolder.h"
 #include "app/run/TreeCoverage.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -24,7 +25,7 @@ constexpr const char* kDatabase = "results.sqlite";
 /// The largest number of runs that earlier batches had in this folder; nullopt if the manifest is
 /// not of a batch.
 std::optional<std::size_t> batchRunCount(const Manifest& manifest) {
-  const auto json = nlohmann::json::parse(manifest.text);
+  const auto json = nlohmann::json::parse(base::shallowJson(manifest.text));
   std::optional<std::size_t> most;
   for (const char* key : {"runs", "replaces"}) {
     const auto runs = json.find(key);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/run/Nav2Robots.h"
+#include "app/run/PlannerFiles.h"
 #include "bt/engine/Program.h"
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeExport.h"
@@ -55,6 +56,9 @@ class ExportPlanBuilder {
     addFile("scenarios/" + base_ + ".yaml", exported_.text);
     addTrees();
     addMap(options.mapName);
+    if (isNative_) {
+      addPlannerFiles();
+    }
     checkSourceNotOverwritten();
     for (base::Diagnostic& problem : plan_.report) {
       problem.file = problem.file.empty() ? source_.path : problem.file;
@@ -217,6 +221,49 @@ class ExportPlanBuilder {
     addFile("maps/" + name + ".yaml", *yaml);
     addFile("maps/" + map->image, *image);
     return true;
+  }
+
+  /// Copies the files of planners below the scenario's folder to the same places beside the
+  /// exported scenario. Absolute paths and shipped files need no copy.
+  void addPlannerFiles() {
+    const fs::path folder = plannerFolderOf(source_.path);
+    std::vector<std::string> files = filesThatPlannersRead(*source_.scenario, source_.path);
+    for (std::string& file : nav2FilesOf(*source_.scenario, source_.path)) {
+      files.push_back(std::move(file));
+    }
+    for (const ExternalCode& code : externalCodeOf(*source_.scenario)) {
+      if (const auto file = codeFileOf(code, source_.path); file && code.key != kCommandKey) {
+        files.push_back(*file);
+      }
+    }
+    for (const std::string& file : files) {
+      const fs::path place = fs::path(file).lexically_relative(folder);
+      if (!place.empty() && *place.begin() != "..") {
+        copyPlannerFile(file, place);
+      }
+    }
+    sim2d::forEachListed(source_.scenario->robots, [&](const sim2d::Robot& robot) {
+      for (const std::string& file : filesNamedBy(robot)) {
+        if (base::startsWith(fs::path(file).lexically_normal().string(), "../")) {
+          reportNotCopied(robot, file);
+        }
+      }
+    });
+  }
+
+  void copyPlannerFile(const std::string& file, const fs::path& place) {
+    const base::Result<std::string> content = base::readTextFile(file, base::kMaxRecord);
+    if (content) {
+      addFile((fs::path("scenarios") / place).string(), *content);
+    } else {
+      base::append(plan_.report, content.diagnostics());
+    }
+  }
+
+  void reportNotCopied(const sim2d::Robot& robot, const std::string& file) {
+    base::Diagnostic problem = base::warning("export.file-not-copied", {robot.name, file});
+    problem.entity = robot.key;
+    plan_.report.push_back(std::move(problem));
   }
 
   /// Refuses to overwrite the scenario that is exported.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/Futures.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -219,7 +220,7 @@ std::string futureText(const Future& future) {
 }
 
 std::optional<Future> futureOf(const std::string& text) {
-  const FutureJson json = FutureJson::parse(text, nullptr, false);
+  const FutureJson json = FutureJson::parse(base::shallowJson(text), nullptr, false);
   Future future;
   try {
     future.number = json.at("number").get<int>();

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -115,7 +116,7 @@ base::Result<Manifest> readManifest(const std::string& folder, const char* name)
   if (!text) {
     return text.diagnostics();
   }
-  const ManifestFileJson json = ManifestFileJson::parse(*text, nullptr, false);
+  const ManifestFileJson json = ManifestFileJson::parse(base::shallowJson(*text), nullptr, false);
   if (!json.is_object()) {
     return manifest;
   }

@@ -290,7 +290,7 @@ base::Diagnostics addToHiddenManifest(const std::string& file, const std::string
   }
   FileHashes hashes = former->outputs;
   hashes[fs::path(file).filename().string()] = hash;
-  Json json = Json::parse(former->text);
+  Json json = Json::parse(base::shallowJson(former->text));
   if (json.empty()) {
     json["kind"] = kind;
   }
@@ -408,7 +408,7 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, EarlierFiles
     }
     hashes[name] = *hash;
   }
-  Json json = earlier == EarlierFiles::Kept ? Json::parse(former_.text) : Json();
+  Json json = earlier == EarlierFiles::Kept ? Json::parse(base::shallowJson(former_.text)) : Json();
   if (json.empty()) {
     json = Json::parse(manifest);
   }

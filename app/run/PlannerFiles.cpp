@@ -18,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCommandKey = "command";
 constexpr const char* kFileParameter = "file";
 constexpr const char* kFileKey = "planner_parameters.file";
 constexpr const char* kReplayPlanner = "replay";
@@ -118,6 +117,21 @@ std::optional<std::string> codeFileOf(const ExternalCode& code, const std::strin
   const std::vector<std::string> files = filesOf(code, scenarioPath);
   const auto found = std::find_if_not(files.begin(), files.end(), isLauncher);
   return found == files.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<std::string> filesNamedBy(const sim2d::Robot& robot) {
+  std::vector<std::string> names;
+  for (const std::string& file : robot.nav2Params) {
+    if (file.find(":=") == std::string::npos) {
+      names.push_back(file);
+    }
+  }
+  for (const std::string& file : {robot.nav2Tree.value_or(""), fileTextOf(robot)}) {
+    if (!file.empty()) {
+      names.push_back(file);
+    }
+  }
+  return names;
 }
 
 std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,

@@ -36,6 +36,9 @@ std::optional<std::string> codeFileOf(const ExternalCode& code, const std::strin
 /// Files that planners read: recorded velocities, learned policies.
 std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
                                                const std::string& scenarioPath);
+/// The file names of a robot as written in the scenario: parameter files, trees, `file`.
+std::vector<std::string> filesNamedBy(const sim2d::Robot& robot);
+constexpr const char* kCommandKey = "command";  // ExternalCode::key of a program
 /// The folder that relative paths of planners refer to.
 std::string plannerFolderOf(const std::string& scenarioPath);
 

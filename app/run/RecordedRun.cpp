@@ -10,6 +10,7 @@
 #include "app/run/OutputFolder.h"
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Find.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ResolvedValues.h"
 
@@ -31,7 +32,7 @@ std::string findScenarioFile(const fs::path& folder, base::Diagnostics& problems
   }
   const base::Result<std::string> text = base::readTextFile(manifest.string());
   base::append(problems, text.diagnostics());
-  const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  const auto json = nlohmann::json::parse(base::shallowJson(text ? *text : ""), nullptr, false);
   if (json.is_object() && json.value("kind", nlohmann::json()) == "evaluation") {
     return {};
   }

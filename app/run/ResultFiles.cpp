@@ -94,7 +94,7 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
                {"finished", finished},
                {"failed", failed}};
   if (!study.design.empty()) {
-    json["design"] = Json::parse(study.design, nullptr, false);
+    json["design"] = Json::parse(base::shallowJson(study.design), nullptr, false);
   }
   if (!study.until.empty()) {
     json["until"] = {{"condition", study.until}, {"met", study.enoughSeeds > 0}};

@@ -229,7 +229,7 @@ std::string serializeRow(const ResultRow& row) {
 
 ResultRow parseRow(const std::string& text) {
   try {
-    return RowJson::parse(text).get<ResultRow>();
+    return RowJson::parse(base::shallowJson(text)).get<ResultRow>();
   } catch (const RowJson::exception&) {
     ResultRow row;
     row.reason = "the worker process returned no result";

@@ -42,7 +42,7 @@ std::string textsJson(const std::vector<std::string>& texts) {
 /// Empty for other JSON, of a damaged database.
 std::vector<std::string> textsOf(const std::string& json) {
   try {
-    return Json::parse(json).get<std::vector<std::string>>();
+    return Json::parse(base::shallowJson(json)).get<std::vector<std::string>>();
   } catch (const Json::exception&) {
     return {};
   }
@@ -422,7 +422,7 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
         machineFailures_.count(stored.run) > 0 ? FailedBy::Machine : FailedBy::Run;
     stored.row.reason = statement.text(5);
     stored.row.simulated = statement.text(6);
-    const Json fields = Json::parse(statement.text(7), nullptr, false);
+    const Json fields = Json::parse(base::shallowJson(statement.text(7)), nullptr, false);
     for (const auto& [column, field] : fields.items()) {
       stored.row.fields.emplace_back(column, field.is_string() ? field.get<std::string>() : "");
     }

@@ -16,6 +16,8 @@
 #include "sim2d/base/Find.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/Planner.h"
+#include "sim2d/nav/onnx/PolicyNetwork.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/trace/Trace.h"
 
@@ -82,6 +84,10 @@ Json robotJson(const sim2d::TraceRobot& robot) {
       json[name] = member;
     }
   });
+  if (robot.planner == sim2d::kOnnxPlanner) {
+    const base::Result<std::string> runtime = sim2d::policyModuleVersion();
+    json["onnx_runtime"] = runtime ? Json(*runtime) : Json();
+  }
   return json;
 }
 

@@ -14,6 +14,7 @@
 #include "app/run/RecordedRun.h"
 #include "app/run/RunFolder.h"
 #include "app/run/RunSpec.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -49,7 +50,7 @@ base::Result<ManifestOfRun> readRunManifest(const std::string& folder) {
   if (!read) {
     return read.diagnostics();
   }
-  const ManifestJson manifest = ManifestJson::parse(read->text);
+  const ManifestJson manifest = ManifestJson::parse(base::shallowJson(read->text));
   ManifestOfRun run;
   std::vector<std::string> words, paths;
   try {
@@ -174,7 +175,7 @@ base::Result<RunProvenance> provenanceOf(const std::string& folder,
 base::Diagnostics otherProgramWarning(const std::string& folder) {
   const std::string path = (fs::path(folder) / "manifest.json").string();
   const base::Result<std::string> text = base::readTextFile(path);
-  const auto manifest = ManifestJson::parse(text ? *text : "", nullptr, false);
+  const auto manifest = ManifestJson::parse(base::shallowJson(text ? *text : ""), nullptr, false);
   const ManifestJson::json_pointer at("/program/version");
   if (!manifest.is_object() || !manifest.contains(at) || !manifest[at].is_string()) {
     return {};

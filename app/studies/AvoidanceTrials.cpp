@@ -197,7 +197,7 @@ std::string scanText(const ScanResult& result) {
 }
 
 std::optional<ScanResult> scanOf(const std::string& text) {
-  const TrialJson json = TrialJson::parse(text, nullptr, false);
+  const TrialJson json = TrialJson::parse(base::shallowJson(text), nullptr, false);
   try {
     return ScanResult{actionOf(json.at("robot")), actionOf(json.at("person")),
                       json.at("trials").get<std::size_t>()};

@@ -236,7 +236,7 @@ std::string contactReportText(const ContactReport& report) {
 
 std::optional<ContactReport> contactReportOf(const std::string& text) {
   try {
-    return reportOfJson(ReportJson::parse(text, nullptr, false));
+    return reportOfJson(ReportJson::parse(base::shallowJson(text), nullptr, false));
   } catch (const ReportJson::exception&) {
     return std::nullopt;
   }
@@ -255,7 +255,8 @@ std::vector<ContactReport> readContactReports(const std::string& folder) {
       base::readTextFile(pathIn(folder, "contacts.json"), base::kMaxRecord);
   std::vector<ContactReport> reports;
   try {
-    for (const ReportJson& each : ReportJson::parse(text ? *text : "[]", nullptr, false)) {
+    for (const ReportJson& each :
+         ReportJson::parse(base::shallowJson(text ? *text : "[]"), nullptr, false)) {
       reports.push_back(reportOfJson(each));
     }
   } catch (const ReportJson::exception&) {

@@ -37,7 +37,7 @@ std::string programOf(const Json& header) {
 
 /// The problems of the first line of a journal.
 base::Diagnostics headerProblems(const std::string& line, const std::string& path) {
-  const Json header = Json::parse(line, nullptr, false);
+  const Json header = Json::parse(base::shallowJson(line), nullptr, false);
   if (!header.is_object() || header.value(kFormat, Json()) != Json(kFormatVersion)) {
     return {base::error("study.no-journal", {}, path, 1)};
   }
@@ -128,7 +128,7 @@ base::Diagnostics RunPool::readJournal() {
 
 /// Skips damaged lines and results whose input files have changed. `hashes`: of files so far.
 void RunPool::addLine(const std::string& line, std::map<std::string, std::string>& hashes) {
-  const Json entry = Json::parse(line, nullptr, false);
+  const Json entry = Json::parse(base::shallowJson(line), nullptr, false);
   if (!entry.is_object() || !entry.contains("key") || !entry["key"].is_string() ||
       !entry.contains("row")) {
     return;

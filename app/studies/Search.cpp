@@ -154,7 +154,10 @@ class Searcher {
     const std::vector<double> rarities = result_.coverage.rarities();
     for (std::size_t k = 0; k < result_.runs.size(); ++k) {
       SearchedRun& run = result_.runs[k];
-      run.fitness = run.wasSimulated ? rarities[k] : kUndefinedFitness;
+      run.fitness = kUndefinedFitness;
+      if (run.wasSimulated) {
+        run.fitness = rarities[k];
+      }
       rated_[k].fitness = run.fitness;
     }
   }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bt/robot/Nav2Files.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
@@ -256,7 +257,7 @@ base::Result<std::shared_ptr<const Lattice>> readLattice(const std::string& file
   if (!text) {
     return text.diagnostics();
   }
-  const LatticeJson root = LatticeJson::parse(*text, nullptr, false);
+  const LatticeJson root = LatticeJson::parse(base::shallowJson(*text), nullptr, false);
   std::optional<Lattice> lattice =
       root.is_object() ? LatticeReader(root).read() : std::optional<Lattice>();
   if (!lattice) {

@@ -29,6 +29,7 @@ from onnx_file import Graph
 from worlds import episodes
 
 REPEAT = 4  # steps of the world per decision
+DT = 0.05  # [s], of these steps in all scenes
 BATCH = 25  # worlds per job
 TAIL = 2  # worlds that may be left when a batch ends
 SEEDS = 100  # training uses the seeds 1 to 100
@@ -347,7 +348,7 @@ def onnx_bytes(network, name):
     graph.dense(normed, numpy.diag(ACTION_SCALE), ACTION_OFFSET, "action")
     graph.output("action", [1, 2])
     metadata = {"format": 1, "people": network.people, "beams": network.beams, "grid_cells": 0,
-                "grid_resolution": 0.1, "repeat": REPEAT, "actions": 2}
+                "grid_resolution": 0.1, "repeat": REPEAT, "dt": DT, "actions": 2}
     return graph.model({"hunavsim_policy": json.dumps(metadata)})
 
 

@@ -17,6 +17,11 @@ std::string jsonText(const Json& json, int indent = 2) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+/// The beginning of a JSON text up to where it nests deeper than any file of this program (200
+/// levels), which is the whole text of valid files. Parse foreign texts through it: functions of
+/// the library that copy, compare or write values are recursive and would exhaust the stack.
+std::string_view shallowJson(std::string_view json);
+
 /// A number; null if it is NaN or infinite, which JSON does not have.
 template <class Json>
 Json jsonNumber(double value) {

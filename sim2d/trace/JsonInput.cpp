@@ -22,7 +22,7 @@ base::Diagnostic jsonSyntaxError(std::string_view text, std::size_t byte, const 
 
 std::optional<nlohmann::json> parseJsonInput(const TrackInput& input) {
   try {
-    return nlohmann::json::parse(input.text);
+    return nlohmann::json::parse(base::shallowJson(input.text));
   } catch (const nlohmann::json::parse_error& problem) {
     input.problems.push_back(jsonSyntaxError(input.text, problem.byte, input.path));
   } catch (const nlohmann::json::exception& problem) {  // number out of range

@@ -352,7 +352,7 @@ std::string memberText(const Json& value) {
 base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::string& file) {
   Json root;
   try {
-    root = Json::parse(text);
+    root = Json::parse(base::shallowJson(text));
   } catch (const Json::parse_error& error) {
     return jsonSyntaxError(text, error.byte, file);
   } catch (const Json::exception& error) {  // number out of range

@@ -41,7 +41,7 @@ class OnnxPlannerTest : public QObject {
   void metadata_good_isRead() {
     const auto read = parsePolicyMetadata(
         R"({"format": 1, "people": 3, "beams": 90, "grid_cells": 20, "grid_resolution": 0.25,
-            "repeat": 4, "actions": 3})",
+            "repeat": 4, "dt": 0.02, "actions": 3})",
         "policy.onnx");
     QVERIFY2(read, messageOf(read.diagnostics()));
     QCOMPARE(read->sizes.people, std::size_t{3});
@@ -49,6 +49,7 @@ class OnnxPlannerTest : public QObject {
     QCOMPARE(read->sizes.gridCells, std::size_t{20});
     QCOMPARE(read->sizes.gridResolution, 0.25);
     QCOMPARE(read->repeat, 4);
+    QCOMPARE(read->dt, 0.02);
     QCOMPARE(read->actions, 3);
   }
 
@@ -67,8 +68,8 @@ class OnnxPlannerTest : public QObject {
     row("no integer", R"("people": 0)", R"("people": 1.5)", "onnx.wrong-type");
     row("no number", R"("grid_resolution": 0.5)", R"("grid_resolution": null)", "onnx.wrong-type");
     row("negative", R"("beams": 0)", R"("beams": -1)", "onnx.out-of-range");
-    row("two", R"("repeat": 1, "actions": 2)", R"("repeat": 0, "actions": 4)",
-        "onnx.out-of-range onnx.out-of-range");
+    row("two", R"("repeat": 1, "dt": 0.05, "actions": 2)",
+        R"("repeat": 0, "dt": 0.05, "actions": 4)", "onnx.out-of-range onnx.out-of-range");
   }
   void metadata_wrong_isAnError() {
     QFETCH(const QString, from);
@@ -81,6 +82,15 @@ class OnnxPlannerTest : public QObject {
     const auto read = parsePolicyMetadata(text.toStdString(), "policy.onnx");
     QCOMPARE(QString::fromStdString(codesOf(read.diagnostics())), codes);
     QCOMPARE(read.diagnostics().front().file, std::string("policy.onnx"));
+  }
+
+  /// The library would exhaust the stack when it writes such a value.
+  void metadata_deep_isAnError() {
+    for (const std::size_t depth : {10, 1000, 1'000'000}) {
+      std::string text = stateMetadata();
+      text.replace(text.find(": 0"), 3, ": " + std::string(depth, '[') + std::string(depth, ']'));
+      QVERIFY(base::hasErrors(parsePolicyMetadata(text, "policy.onnx").diagnostics()));
+    }
   }
 
   void model_withoutMetadata_isAnError() {
@@ -115,6 +125,16 @@ class OnnxPlannerTest : public QObject {
     policy.inputs = {{"state", {1, 5}}, {"camera", {1, 9}}};
     QCOMPARE(codes(stateMetadata()), std::string("onnx.unknown-input"));
     policy.inputs = {{"state", {1, 5}}};
+    std::string graph = policy.graph();
+    const std::string input = onnxfile::bytes(11, onnxfile::declared(policy.inputs.front()));
+    const std::size_t place = graph.find(input);
+    QVERIFY(place != std::string::npos);
+    const std::size_t type = graph.find("\x08\x01\x12", place);  // elem_type 1, then the shape
+    graph[type + 1] = '\x0B';                                    // 11: DOUBLE
+    const base::Diagnostics ofType = problemsOf(onnxfile::model(graph, stateMetadata()));
+    QCOMPARE(codesOf(ofType), std::string("onnx.wrong-element-type"));
+    QVERIFY2(messageOf(ofType).contains("'state'") && messageOf(ofType).contains("float64"),
+             messageOf(ofType));
     policy.output = "value";
     QCOMPARE(codes(stateMetadata()), std::string("onnx.wrong-output"));
   }
@@ -212,6 +232,26 @@ class OnnxPlannerTest : public QObject {
       scene.observation.goal.x() -= 0.5;
     }
     QCOMPARE(speeds, std::vector<double>({0.5625, 0.5625, 0.5625, 0.375, 0.375}));
+  }
+
+  void command_otherTimeStep_isHeldForTheSameTime() {
+    NEED_OPENCV();
+    for (const auto& [dt, steps] : {std::pair{0.01, 15}, {0.05, 3}, {0.1, 2}, {0.5, 1}}) {
+      const auto made = make(onnxfile::model(onnxfile::towardsGoal().graph(), stateMetadata(3)));
+      QVERIFY2(made, messageOf(made.diagnostics()));
+      Scene scene;  // the policy decides every 3 * 0.05 s
+      scene.observation.dt = dt;
+      int held = 0;
+      for (; held < 100; ++held) {
+        const auto command = (*made)->command(scene.observation);
+        QVERIFY(command);
+        if (command->linear != 0.5625) {
+          break;
+        }
+        scene.observation.goal.x() = 0.0;
+      }
+      QCOMPARE(held, steps);
+    }
   }
 
   void network_brokenGraph_isAnErrorWithTheFile() {

@@ -29,7 +29,7 @@ from worlds import seed_of
 
 TINY = ["--imitation", "1", "--reinforcement", "1", "--validation", "3", "--processes", "2",
         "--scenes", "classic_frontal"]
-METADATA_KEYS = {"format", "people", "beams", "grid_cells", "grid_resolution", "repeat", "actions"}
+METADATA_KEYS = {"format", "people", "beams", "grid_cells", "grid_resolution", "repeat", "dt", "actions"}
 
 
 def parse(data):

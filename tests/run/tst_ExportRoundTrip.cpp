@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -254,6 +256,52 @@ class ExportRoundTripTest : public QObject {
     }
     checkGoals(trip);
     checkOurs(trip);
+  }
+
+  void export_native_copiesFilesOfPlanners() {
+    std::string text = kOdd;
+    const auto addKey = [&text](const std::string& robot, const std::string& keys) {
+      const std::size_t end = text.find('}', text.find(robot + ": {start"));
+      text.insert(text.find('\n', end) - 1, ", " + keys);
+    };
+    addKey("robot1", "planner: replay, planner_parameters: {file: recorded/drive.csv}");
+    addKey("robot2", "planner: nav2, nav2_params: own.yaml");
+    addKey("robot3", "planner: replay, planner_parameters: {file: ../outside.csv}");
+    addKey("robot4", "planner: replay, planner_parameters: {file: /tmp/absolute.csv}");
+    QTemporaryDir source;
+    const std::string folder = source.path().toStdString();
+    QVERIFY(QDir(source.path()).mkpath(QStringLiteral("recorded")));
+    QVERIFY(base::writeFileAtomically(folder + "/files.yaml", text).empty());
+    QVERIFY(base::writeFileAtomically(folder + "/recorded/drive.csv", "time,linear\n").empty());
+    QVERIFY(
+        base::writeFileAtomically(folder + "/own.yaml", "/**: {ros__parameters: {}}\n").empty());
+    app::RunSpec options;
+    options.scenario = folder + "/files.yaml";
+    const base::Result<app::Bundle> bundle = app::readExportSource(options, {});
+    QVERIFY2(bundle, textOf(bundle.diagnostics()).c_str());
+    for (const char* const target : {"native", "isaac"}) {
+      app::ExportRequest request;
+      request.target = target;
+      request.folder = folder_.filePath(QStringLiteral("copied")).toStdString();
+      const app::ExportPlan plan = app::planExport(*bundle, request);
+      std::map<std::string, std::string> copied;
+      for (const app::ExportPlan::File& file : plan.files) {
+        copied[file.name] = file.content.content;
+      }
+      const bool isNative = request.target == "native";
+      QCOMPARE(copied.count("scenarios/recorded/drive.csv"), std::size_t{isNative ? 1U : 0U});
+      QCOMPARE(copied.count("scenarios/own.yaml"), std::size_t{isNative ? 1U : 0U});
+      if (isNative) {
+        QCOMPARE(copied["scenarios/recorded/drive.csv"], std::string("time,linear\n"));
+      }
+      std::string reported;
+      for (const base::Diagnostic& problem : plan.report) {
+        if (std::string_view(problem.code) == "export.file-not-copied") {
+          reported += problem.value("robot") + " " + problem.value("file") + ";";
+        }
+      }
+      QCOMPARE(reported, std::string(isNative ? "robot3 ../outside.csv;" : ""));
+    }
   }
 
   void export_startCommand_isOfTheRobotAndTheWorlds() {

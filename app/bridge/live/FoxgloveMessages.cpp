@@ -186,7 +186,7 @@ ClientRequest requestOfText(std::string_view message) {
   if (!isFlat(message)) {
     return request::Refused{"brackets are nested too deeply"};
   }
-  const RequestJson object = RequestJson::parse(message, nullptr, false);
+  const RequestJson object = RequestJson::parse(base::shallowJson(message), nullptr, false);
   if (!object.is_object()) {
     return request::Refused{"a text message must be a JSON object"};
   }

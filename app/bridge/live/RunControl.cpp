@@ -83,7 +83,7 @@ std::optional<M> messageOfJson(std::string_view text) {
   if (text.size() > kLargestJson) {
     return std::nullopt;
   }
-  const nlohmann::json object = nlohmann::json::parse(text, nullptr, false);
+  const nlohmann::json object = nlohmann::json::parse(base::shallowJson(text), nullptr, false);
   M message;
   JsonReader fields(object);
   if constexpr (!bridge::kIsEmptyMessage<M>) {

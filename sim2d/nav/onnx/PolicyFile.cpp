@@ -32,6 +32,7 @@ constexpr PolicyKey kPolicyKeys[] = {{"format", base::kAnyNumber, true},
                                      {"grid_cells", {0.0, 1000.0}, true},
                                      {"grid_resolution", {0.01, 10.0}, false},
                                      {"repeat", {1.0, 1000.0}, true},
+                                     {"dt", {0.0001, 10.0}, false},
                                      {"actions", {2.0, 3.0}, true}};
 
 /// Reads the numbers of the object in the order of kPolicyKeys.
@@ -98,7 +99,8 @@ class PolicyNumbers {
 }  // namespace
 
 base::Result<PolicyMetadata> parsePolicyMetadata(const std::string& text, const std::string& file) {
-  const PolicyJson json = PolicyJson::parse(text, nullptr, /*allow_exceptions=*/false);
+  const PolicyJson json =
+      PolicyJson::parse(base::shallowJson(text), nullptr, /*allow_exceptions=*/false);
   if (!json.is_object()) {
     return base::error("onnx.not-json", {printableText(text)}, file);
   }
@@ -118,6 +120,7 @@ base::Result<PolicyMetadata> parsePolicyMetadata(const std::string& text, const 
   metadata.sizes.gridCells = static_cast<std::size_t>(numbers.of("grid_cells"));
   metadata.sizes.gridResolution = numbers.of("grid_resolution");
   metadata.repeat = static_cast<int>(numbers.of("repeat"));
+  metadata.dt = numbers.of("dt");
   metadata.actions = static_cast<int>(numbers.of("actions"));
   return metadata;
 }
@@ -142,6 +145,7 @@ namespace {
 /// A tensor that a graph declares as input or output: ValueInfoProto of onnx.proto.
 struct DeclaredTensor {
   std::string name;
+  std::uint64_t elementType = 0;    // TensorProto.DataType; 0: not declared
   std::vector<std::int64_t> shape;  // 0: any size
   bool hasShape = false;
 };
@@ -176,20 +180,27 @@ std::string_view bytesOf(std::string_view message, std::uint64_t number) {
   return found;
 }
 
+/// The integer with that number; 0 if there is none.
+std::uint64_t numberOf(std::string_view message, std::uint64_t number) {
+  std::uint64_t found = 0;
+  forEachField(message, [&](const ProtobufField& field) {
+    if (field.number == number && field.isVarint) {
+      found = field.value;
+    }
+  });
+  return found;
+}
+
 DeclaredTensor declaredTensor(std::string_view message) {
-  constexpr std::uint64_t kName = 1, kType = 2, kTensorType = 1, kShape = 2, kDim = 1, kSize = 1;
+  constexpr std::uint64_t kName = 1, kType = 2, kTensorType = 1, kElementType = 1, kShape = 2,
+                          kDim = 1, kSize = 1;
   DeclaredTensor tensor;
   tensor.name = std::string(bytesOf(message, kName));
   const std::string_view type = bytesOf(bytesOf(message, kType), kTensorType);
+  tensor.elementType = numberOf(type, kElementType);
   forEachField(bytesOf(type, kShape), [&](const ProtobufField& dim) {
     if (dim.number == kDim && dim.hasBytes) {
-      std::int64_t size = 0;
-      forEachField(dim.bytes, [&](const ProtobufField& field) {
-        if (field.number == kSize && field.isVarint) {
-          size = static_cast<std::int64_t>(field.value);
-        }
-      });
-      tensor.shape.push_back(size);
+      tensor.shape.push_back(static_cast<std::int64_t>(numberOf(dim.bytes, kSize)));
       tensor.hasShape = true;
     }
   });
@@ -223,6 +234,16 @@ OnnxModel readModel(std::string_view bytes) {
   return model;
 }
 
+/// Names of TensorProto.DataType.
+std::string elementTypeName(const DeclaredTensor& tensor) {
+  static constexpr const char* kNames[] = {"",           "float32", "uint8",  "int8",   "uint16",
+                                           "int16",      "int32",   "int64",  "string", "bool",
+                                           "float16",    "float64", "uint32", "uint64", "complex64",
+                                           "complex128", "bfloat16"};
+  return tensor.elementType < std::size(kNames) ? kNames[tensor.elementType]
+                                                : "type " + std::to_string(tensor.elementType);
+}
+
 std::string shapeText(const std::vector<std::int64_t>& shape) {
   std::vector<std::string> sizes;
   sizes.reserve(shape.size());
@@ -239,8 +260,13 @@ bool doesFit(const std::vector<std::int64_t>& declared, const std::vector<std::i
                     [](std::int64_t a, std::int64_t b) { return a <= 0 || a == b; });
 }
 
-void checkTensorShape(const DeclaredTensor& tensor, const std::vector<std::int64_t>& wanted,
-                      const std::string& file, base::Diagnostics& problems) {
+void checkTensor(const DeclaredTensor& tensor, const std::vector<std::int64_t>& wanted,
+                 const std::string& file, base::Diagnostics& problems) {
+  constexpr std::uint64_t kFloat = 1;
+  if (tensor.elementType != 0 && tensor.elementType != kFloat) {
+    problems.push_back(
+        base::error("onnx.wrong-element-type", {tensor.name, elementTypeName(tensor)}, file));
+  }
   if (tensor.hasShape && !doesFit(tensor.shape, wanted)) {
     problems.push_back(base::error(
         "onnx.wrong-shape", {tensor.name, shapeText(tensor.shape), shapeText(wanted)}, file));
@@ -257,7 +283,7 @@ base::Diagnostics tensorProblems(const OnnxModel& model, const PolicyMetadata& m
     if (found == model.inputs.end()) {
       problems.push_back(base::error("onnx.no-input", {input.name}, file));
     } else {
-      checkTensorShape(*found, {input.shape.begin(), input.shape.end()}, file, problems);
+      checkTensor(*found, {input.shape.begin(), input.shape.end()}, file, problems);
     }
   }
   for (const DeclaredTensor& input : model.inputs) {
@@ -271,7 +297,7 @@ base::Diagnostics tensorProblems(const OnnxModel& model, const PolicyMetadata& m
   if (model.outputs.size() != 1 || model.outputs.front().name != kPolicyOutput) {
     problems.push_back(base::error("onnx.wrong-output", {kPolicyOutput}, file));
   } else {
-    checkTensorShape(model.outputs.front(), {1, metadata.actions}, file, problems);
+    checkTensor(model.outputs.front(), {1, metadata.actions}, file, problems);
   }
   return problems;
 }

@@ -15,11 +15,12 @@ namespace sim2d {
 /// Metadata of the key `hunavsim_policy` in ModelProto.metadata_props: a JSON object of the options
 /// of the environment in which the policy was trained. All keys are required, others are errors:
 ///   {"format": 1, "people": 16, "beams": 180, "grid_cells": 0, "grid_resolution": 0.1,
-///    "repeat": 2, "actions": 2}
+///    "repeat": 2, "dt": 0.05, "actions": 2}
 struct PolicyMetadata {
   PolicySizes sizes;
-  int repeat = 1;   // steps of the world per decision
-  int actions = 2;  // v [m/s] and omega [rad/s]; 3: also the lateral v of omnidirectional robots
+  int repeat = 1;    // steps of the world per decision
+  double dt = 0.05;  // of these steps [s]
+  int actions = 2;   // v [m/s] and omega [rad/s]; 3: also the lateral v of omnidirectional robots
 };
 
 constexpr const char* kPolicyMetadataKey = "hunavsim_policy";
@@ -40,7 +41,7 @@ std::vector<PolicyInput> policyInputsOf(const PolicySizes& sizes);
 
 /// Reads the metadata of a model and checks its inputs and outputs. `model`: the bytes of the file.
 /// Errors: onnx.no-onnx, onnx.no-metadata, those of parsePolicyMetadata, onnx.no-input,
-/// onnx.unknown-input, onnx.wrong-shape, onnx.wrong-output.
+/// onnx.unknown-input, onnx.wrong-element-type, onnx.wrong-shape, onnx.wrong-output.
 base::Result<PolicyMetadata> readPolicyMetadata(std::string_view model, const std::string& file);
 
 }  // namespace sim2d

@@ -207,7 +207,8 @@ ProtocolJson protocolJson(const PlannerSetup& setup) {
 
 /// Parses an answer; its `error` key, if present, becomes an error.
 base::Result<ProtocolJson> answerObject(const std::string& line) {
-  ProtocolJson json = ProtocolJson::parse(line, nullptr, /*allow_exceptions=*/false);
+  ProtocolJson json =
+      ProtocolJson::parse(base::shallowJson(line), nullptr, /*allow_exceptions=*/false);
   if (!json.is_object()) {
     return base::error("external.not-json", {printableText(line)});
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -23,7 +24,7 @@ base::Diagnostics problemsOfPolicy(const std::string& robot, base::Diagnostics p
   return withRobotName(robot, std::move(problems));
 }
 
-/// Drives by the actions of a network. Each one is held for `repeat` steps, as in training.
+/// Drives by the actions of a network. Each one is held for the same time as in training.
 class OnnxPlanner : public Planner {
  public:
   OnnxPlanner(const PlannerSetup& setup, std::unique_ptr<PolicyNetwork> network)
@@ -42,13 +43,19 @@ class OnnxPlanner : public Planner {
         return problemsOfPolicy(robot_, action.diagnostics());
       }
       twist_ = clipped(*action);
-      stepsLeft_ = network_->metadata().repeat;
+      stepsLeft_ = stepsPerDecision(observation.dt);
     }
     --stepsLeft_;
     return twist_;
   }
 
  private:
+  /// `dt`: of this world [s].
+  int stepsPerDecision(double dt) const {
+    const PolicyMetadata& trained = network_->metadata();
+    return std::max(1, static_cast<int>(std::lround(trained.repeat * trained.dt / dt)));
+  }
+
   BodyTwist clipped(const std::vector<float>& action) const {
     const auto clip = [&](std::size_t i, double low, double high) {
       return i < action.size() ? std::clamp(static_cast<double>(action[i]), low, high) : 0.0;

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim2d/base/JsonText.h"
 #include "sim2d/trace/TrackFormats.h"
 
 /// TrajNet++: rows of numbers, or JSON lines with scenes and tracks.
@@ -43,7 +44,7 @@ class TrajnetReader {
       return;
     }
     try {
-      const Json json = Json::parse(text);
+      const Json json = Json::parse(base::shallowJson(text));
       if (json.is_object() && json.contains("track")) {
         readTrack(json["track"], line);
       } else if (json.is_object() && json.contains("scene")) {

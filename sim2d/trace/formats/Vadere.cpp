@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackFormats.h"
 
@@ -34,7 +35,8 @@ double scenarioTimeStep(const std::string& path) {
     return 0.0;
   }
   const base::Result<std::string> text = base::readTextFile(scenarios.front());
-  const nlohmann::json root = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  const nlohmann::json root =
+      nlohmann::json::parse(base::shallowJson(text ? *text : ""), nullptr, false);
   for (const char* name : {"scenario", "vadere"}) {
     const auto place = nlohmann::json::json_pointer("/" + std::string(name) +
                                                     "/attributesSimulation/simTimeStepLength");
