@@ -78,10 +78,10 @@ void requireMemory(std::size_t bytes) {
   std::free(room);
 }
 
-/// Fontconfig, which Qt asks for fonts when it begins, crashes where memory ends.
+/// Fontconfig, which Qt initialises, crashes if it cannot allocate memory.
 constexpr std::size_t kForFonts = std::size_t{16} << 20;  // [bytes]
 
-/// Numbers are read without a locale, whatever the user's is.
+/// Creates the application and runs the action. Numbers are read and written without a locale.
 template <class Application>
 int within(Invocation& given, const CommandRegistry::Action& action) {
   Application application(given.argc, given.argv);
@@ -89,8 +89,8 @@ int within(Invocation& given, const CommandRegistry::Action& action) {
   return action(given);
 }
 
-/// A command line that cannot be followed is told as every error is.
-int tellWrongWords(const CommandRegistry& commands, const std::string& said) {
+/// Reports a command line that cannot be parsed in the form of other errors.
+int reportWrongCommandLine(const CommandRegistry& commands, const std::string& said) {
   if (commands.wantsJson()) {
     printJson({base::error("option.wrong", {said})});
   }
@@ -120,7 +120,8 @@ std::optional<std::string> unknownOption(const CLI::App& root) {
   return std::nullopt;
 }
 
-/// Words that no option takes; the first is a mistyped command, unless it is a scenario.
+/// Message for arguments that no option accepts; the first one is a mistyped command, unless it is
+/// a file.
 std::string extrasText(const CommandRegistry& commands, const std::string& firstWord) {
   const CLI::App& root = commands.root();
   const std::optional<std::string> meant = base::nearestName(firstWord, commands.names());
@@ -135,7 +136,7 @@ std::string extrasText(const CommandRegistry& commands, const std::string& first
 /// Prints messages of Qt, except those of libpng, which the program reports with the file name, and
 /// the warning about a missing XDG_RUNTIME_DIR. Fatal errors (no display, no memory for a plugin)
 /// are reported as errors and end the program.
-void withoutLibraryWords(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+void filterLibraryMessages(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (!text.startsWith(QLatin1String("libpng")) &&
       !text.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR not set"))) {
     const QString begin = type == QtFatalMsg ? QStringLiteral("error: ") : QString();
@@ -267,7 +268,7 @@ void addMetricsOptions(CLI::App& command, MetricsOptions& options) {
       ->check(oneOf(metricProfiles()));
 }
 
-std::vector<std::string> Invocation::wordsForResults() const {
+std::vector<std::string> Invocation::argumentsForResults() const {
   std::vector<std::string> kept = {"hunavsim"};
   const std::vector<std::string> all = words();
   for (std::size_t k = 1; k < all.size(); ++k) {
@@ -323,12 +324,12 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     }
     return end.code;
   } catch (const CLI::ExtrasError&) {
-    return tellWrongWords(commands, extrasText(commands, argv[1]));
-  } catch (const CLI::Success& asked) {  // for the help, for the version
+    return reportWrongCommandLine(commands, extrasText(commands, argv[1]));
+  } catch (const CLI::Success& asked) {  // --help, --version
     return root.exit(asked);
   } catch (const CLI::ParseError& problem) {
-    return tellWrongWords(commands, problem.what());
-  } catch (const std::exception& problem) {  // no memory, a file that nobody foresaw
+    return reportWrongCommandLine(commands, problem.what());
+  } catch (const std::exception& problem) {  // for example no memory
     if (commands.wantsJson()) {
       printJson({base::error("program.failed", {base::exceptionMessage(problem)})});
     }
@@ -341,7 +342,7 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
 
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   reserveMemory();
-  qInstallMessageHandler(withoutLibraryWords);
+  qInstallMessageHandler(filterLibraryMessages);
   qSetGlobalQHashSeed(0);  // else Qt puts the fonts of a PDF into another order each time
   ignoreFileSizeSignal();
   const int code = doneBy(argc, argv, addWindow);

@@ -45,7 +45,7 @@ struct CommandEnd {
 void requireFine(const base::Diagnostics& problems, ExitCode code = ExitBadInput,
                  base::Severity least = base::Severity::Info);
 
-/// The words that the program was started with, and the options of every command among them.
+/// The command line of the program and the options that all commands have.
 struct Invocation {
   int argc = 0;
   char** argv = nullptr;
@@ -54,7 +54,7 @@ struct Invocation {
   std::vector<std::string> words() const { return {argv, argv + argc}; }
   /// The command line without the options that do not change the results of a study: --jobs,
   /// --resume, --force, --quiet, --json.
-  std::vector<std::string> wordsForResults() const;
+  std::vector<std::string> argumentsForResults() const;
 };
 
 /// Prints the final report of `batch` and `merge`; returns the exit code. `problems`: write errors.
@@ -71,11 +71,11 @@ class CommandRegistry {
   CLI::App& root() const { return root_; }
   std::vector<std::string> names() const;  // of the commands
 
-  /// `drawing` is asked when the options are known.
+  /// `drawing` is called after the options have been parsed.
   CLI::App& add(
       const std::string& name, const std::string& help, Action action,
       std::function<Drawing()> drawing = [] { return Drawing::None; });
-  /// The same with options that live as long as the registry.
+  /// The same with options, which live as long as the registry.
   template <class Options>
   std::pair<CLI::App&, Options&> add(const std::string& name, const std::string& help,
                                      int (*work)(const Options&, const Invocation&),
@@ -92,15 +92,15 @@ class CommandRegistry {
   /// All commands with their options: complete after addOutputOptions().
   CommandTable table() const;
 
-  /// What is done without a command; it makes its application itself.
+  /// The action without a command. It creates its application itself.
   void setDefault(Action action) { default_ = std::move(action); }
 
   /// --quiet and --json behind the options of each command.
   void addOutputOptions();
-  /// Whether --json is given: also known where the words cannot be followed.
+  /// Notes whether --json is given, also in a command line that cannot be parsed.
   void noteJson(const std::vector<std::string>& words);
   bool wantsJson() const { return json_; }
-  /// Does what was given: returns its exit code or throws CommandEnd.
+  /// Runs the given command; returns its exit code or throws CommandEnd.
   int start(Invocation given) const;
 
  private:

@@ -24,7 +24,7 @@ std::string marginText(const app::GateMetric& metric);  // "5 points", "5 %", "0
 
 /// One row per metric.
 Table gateTable(const app::GateResult& result);
-/// The mean gains with their intervals, in margins.
+/// Mean differences with their intervals, in units of the margins.
 Figure gateFigure(const app::GateResult& result);
 
 /// A pair in which the candidate is worse.

@@ -162,8 +162,8 @@ void readMapOf(Bundle& bundle, const sim2d::FileSearchPaths& places, FileCache& 
 
 /// Reports people without a tree file, whose trees are generated: information if `isUsual`, else a
 /// warning, because scenarios of HuNavSim should have tree files.
-void tellGenerated(Bundle& bundle, const std::vector<std::string>& names,
-                   const sim2d::ScenarioReading& reading, bool isUsual) {
+void reportGeneratedTrees(Bundle& bundle, const std::vector<std::string>& names,
+                          const sim2d::ScenarioReading& reading, bool isUsual) {
   if (names.empty()) {
     return;
   }
@@ -198,16 +198,16 @@ void findTrees(Bundle& bundle, const sim2d::FileSearchPaths& places,
   std::error_code ignored;
   const std::string& folder = places.treesOption;
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
-    tellGenerated(bundle, generated, reading,
-                  reading.hasDesktopNode && !hasFiles && folder.empty());
+    reportGeneratedTrees(bundle, generated, reading,
+                         reading.hasDesktopNode && !hasFiles && folder.empty());
   } else {
     bundle.remarks.push_back(base::error("option.no-trees-folder", {}, folder));
   }
 }
 
 std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) {
-  // Without the map, and for places that were wrong in the file and stand somewhere else now, there
-  // are no walls to be in.
+  // Positions are not checked against walls without the map, or if positions in the file were
+  // invalid and have been replaced.
   return bundle.map && bundle.isWhole ? bundle.known->of(*bundle.scenario, bundle.map, bundle.stop)
                                       : std::make_shared<const sim2d::Surroundings>();
 }
@@ -225,7 +225,8 @@ void checkMetrics(const Bundle& bundle, Verdict& verdict) {
 
 /// Reports external code of robots unless it is allowed: an error with Refused, a warning with
 /// Skipped.
-void tellCode(const Bundle& bundle, const std::vector<ExternalCode>& code, Verdict& verdict) {
+void reportExternalCode(const Bundle& bundle, const std::vector<ExternalCode>& code,
+                        Verdict& verdict) {
   const sim2d::ExternalCodePolicy use = bundle.settings.code;
   if (code.empty() || use == sim2d::ExternalCodePolicy::Allowed) {
     return;
@@ -238,7 +239,7 @@ void tellCode(const Bundle& bundle, const std::vector<ExternalCode>& code, Verdi
   base::append(verdict.problems, told);
 }
 
-/// What could not be read for it is told in `unread`.
+/// `unread`: problems of files that could not be read.
 void completeSetup(const Bundle& bundle, sim2d::WorldSetup& setup, base::Diagnostics& unread) {
   setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path, unread);
   setup.compatibility = bundle.settings.compatibility;
@@ -356,7 +357,7 @@ std::optional<Bundle> withBodies(const Bundle& bundle, base::Diagnostics& proble
   return shaped;
 }
 
-/// What `--strict` makes of it: there is no run with substitutions.
+/// The verdict with `--strict`: substitutions are errors.
 Verdict strict(Verdict verdict) {
   verdict.problems = base::withStrictSubstitutions(std::move(verdict.problems));
   verdict.worldRemarks = base::withStrictSubstitutions(std::move(verdict.worldRemarks));
@@ -384,14 +385,14 @@ Verdict checkBundle(const Bundle& given, CheckDepth depth) {
   bundle.stopOfRun->check();
   base::Diagnostics meaning = sim2d::checkScenario(
       *bundle.scenario, *setup.surroundings, bundle.path, sim2d::knownNames(builtinRegistries()));
-  bundle.stop->check();  // else what was stopped would be told as places out of reach
+  bundle.stop->check();  // otherwise unfinished searches would be reported as unreachable places
   sim2d::addLocations(meaning, bundle.lines, bundle.path);
   base::append(verdict.problems, meaning);
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility, bundle.knownTrees);
   checkMetrics(bundle, verdict);
   const std::vector<ExternalCode> code = externalCodeOf(*bundle.scenario);
-  tellCode(bundle, code, verdict);
+  reportExternalCode(bundle, code, verdict);
   verdict.problems = withoutDuplicates(verdict.problems, verdict.problems);
   if (depth == CheckDepth::Meaning || !verdict.ok()) {
     return verdict;

@@ -120,12 +120,12 @@ Bundle readBundle(const RunSpec& spec, const RunSettings& settings, FileCache& f
 
 /// The result of checking a bundle, and the world of its run.
 struct Verdict {
-  base::Diagnostics problems;      // the bundle's remarks first; with errors there is no run
-  base::Diagnostics worldRemarks;  // of the world: what is placed elsewhere than written …
+  base::Diagnostics problems;      // the bundle's remarks first; with errors no run is possible
+  base::Diagnostics worldRemarks;  // of creating the world: bodies that were moved …
   base::Diagnostics wrongOptions;  // also unknown metrics of the command line
   MetricsSetup scenarioMetrics, metrics;
-  std::unique_ptr<sim2d::World> world;  // null: there is no run
-  /// With CheckDepth::Setup: what a world is made of; nothing when there is none to make.
+  std::unique_ptr<sim2d::World> world;  // null: no run is possible
+  /// With CheckDepth::Setup: the setup of the world; nullopt with errors.
   std::optional<sim2d::WorldSetup> setup;
   bool ok() const { return !base::hasErrors(problems) && !base::hasErrors(wrongOptions); }
 };
@@ -138,7 +138,7 @@ enum class CheckDepth { Meaning, Setup, World };
 /// files and the trees in files. Throws `base::Stopped` when a stop flag of the bundle is set.
 Verdict check(const Bundle& bundle, CheckDepth depth = CheckDepth::World);
 
-/// Lists anew the files that the bundle was read from, after its scenario has changed.
+/// Updates the list of files that the bundle was read from, after its scenario has changed.
 void listInputs(Bundle& bundle);
 
 /// Those that are errors.

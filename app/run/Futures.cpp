@@ -137,7 +137,7 @@ Future simulateFuture(sim2d::World& world, const Bundle& bundle, const FuturesOp
 
 base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
                                   const FuturesOptions& options,
-                                  const std::function<void(const Future&)>& tell,
+                                  const std::function<void(const Future&)>& onFuture,
                                   const std::function<bool()>& wantsStop) {
   if (!externalCodeOf(*bundle.scenario).empty()) {
     return {base::error("futures.foreign-code", {}, bundle.path)};
@@ -150,8 +150,9 @@ base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
   };
   tasks.take = [&](std::size_t task, const std::string& text) {
     const std::optional<Future> future = futureOf(text);
-    tell(future ? *future
-                : brokenFuture(options, static_cast<int>(task), "the process ended unexpectedly"));
+    onFuture(future
+                 ? *future
+                 : brokenFuture(options, static_cast<int>(task), "the process ended unexpectedly"));
   };
   tasks.wantsStop = wantsStop;
   return runTasks(tasks) ? base::Diagnostics()
@@ -178,7 +179,7 @@ std::vector<ContactChance> contactChances(const std::vector<Future>& futures, do
   return chances;
 }
 
-std::optional<double> decisiveMoment(const std::vector<Future>& futures) {
+std::optional<double> medianContactTime(const std::vector<Future>& futures) {
   std::vector<double> times;
   for (const Future& each : futures) {
     if (each.contact) {
@@ -189,10 +190,10 @@ std::optional<double> decisiveMoment(const std::vector<Future>& futures) {
   return times.empty() ? std::nullopt : std::optional(times[(times.size() - 1) / 2]);
 }
 
-base::Diagnostics answer(const FuturesQuestion& question,
-                         const std::function<void(const Future&)>& tell,
-                         const std::function<bool()>& wantsStop) {
-  BranchedRun run(question.bundle, question.branches);
+base::Diagnostics runFuturesRequest(const FuturesRequest& request,
+                                    const std::function<void(const Future&)>& onFuture,
+                                    const std::function<bool()>& wantsStop) {
+  BranchedRun run(request.bundle, request.branches);
   if (run.verdict().world == nullptr) {
     base::Diagnostics problems = run.verdict().wrongOptions;
     base::append(problems, run.verdict().problems);
@@ -200,8 +201,8 @@ base::Diagnostics answer(const FuturesQuestion& question,
   }
   const std::unique_ptr<sim2d::World> world = std::move(run.verdict().world);
   base::Diagnostics problems;
-  Session session({question.at + 1, false});
-  session.replayInputs(question.inputs, question.at);
+  Session session({request.at + 1, false});
+  session.replayInputs(request.inputs, request.at);
   session.setStepHook(
       [&](const sim2d::Frame& frame, sim2d::World& changing) { run.apply(frame, changing); });
   bool isThere = false;
@@ -210,22 +211,22 @@ base::Diagnostics answer(const FuturesQuestion& question,
       session.stop();
       return;
     }
-    if (frame.step != question.at) {
+    if (frame.step != request.at) {
       return;
     }
     isThere = true;
     std::string rows;
     sim2d::appendTrajectoryRows(rows, frame);
-    if (!question.state.empty() && rows != question.state) {
-      problems.push_back(base::error("futures.goes-elsewhere", {frame.time}, question.bundle.path));
+    if (!request.state.empty() && rows != request.state) {
+      problems.push_back(base::error("futures.goes-elsewhere", {frame.time}, request.bundle.path));
     } else {
       base::append(problems,
-                   simulateFutures(*world, run.bundle(), question.options, tell, wantsStop));
+                   simulateFutures(*world, run.bundle(), request.options, onFuture, wantsStop));
     }
     session.stop();
   });
   if (!isThere && result.status == sim2d::RunStatus::Failed) {
-    problems.push_back(base::error("run.ended", {result.reason}, question.bundle.path));
+    problems.push_back(base::error("run.ended", {result.reason}, request.bundle.path));
   }
   return problems;
 }

@@ -44,11 +44,11 @@ struct Future {
 
 /// Simulates futures of a world, each in a copy of the process with its own random seed. Once per
 /// second, each walking person gets a random velocity with standard deviation `spread` per axis.
-/// `tell` receives each finished future; `wantsStop` is polled ten times per second. The process
-/// must have a single thread. Errors: external code in the scenario, no more processes.
+/// `onFuture` receives each finished future; `wantsStop` is polled ten times per second. The
+/// process must have a single thread. Errors: external code in the scenario, no more processes.
 base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
                                   const FuturesOptions& options,
-                                  const std::function<void(const Future&)>& tell,
+                                  const std::function<void(const Future&)>& onFuture,
                                   const std::function<bool()>& wantsStop);
 /// The same in this process, one future; the world has no use afterwards.
 Future simulateFuture(sim2d::World& world, const Bundle& bundle, const FuturesOptions& options,
@@ -70,10 +70,10 @@ struct ContactChance {
 std::vector<ContactChance> contactChances(const std::vector<Future>& futures, double from,
                                           double horizon, double gap = 0.2);
 /// The median time of the contacts [s]; none without contacts.
-std::optional<double> decisiveMoment(const std::vector<Future>& futures);
+std::optional<double> medianContactTime(const std::vector<Future>& futures);
 
 /// A request to another process of this program to simulate futures of a run.
-struct FuturesQuestion {
+struct FuturesRequest {
   Bundle bundle;  // from its beginning
   std::vector<RunBranch> branches;
   sim2d::RecordedInputs inputs;
@@ -82,12 +82,12 @@ struct FuturesQuestion {
   FuturesOptions options;
 };
 /// All of it as bytes, for the same program alone.
-std::string questionBytes(const FuturesQuestion& question);
-base::Result<FuturesQuestion> questionOf(const std::string& bytes);
+std::string encodeFuturesRequest(const FuturesRequest& request);
+base::Result<FuturesRequest> decodeFuturesRequest(const std::string& bytes);
 /// Replays the run up to the step `at`, then simulates its futures. Errors: those of the run and of
 /// `simulateFutures`; the replay diverges from the recording.
-base::Diagnostics answer(const FuturesQuestion& question,
-                         const std::function<void(const Future&)>& tell,
-                         const std::function<bool()>& wantsStop);
+base::Diagnostics runFuturesRequest(const FuturesRequest& request,
+                                    const std::function<void(const Future&)>& onFuture,
+                                    const std::function<bool()>& wantsStop);
 
 }  // namespace app

@@ -10,7 +10,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
-// Futures, and questions for them, as texts between processes.
+// Futures and requests for them as text, for other processes.
 namespace app {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FuturesOptions, count, horizon, spread, jobs, seed, sampleGap)
@@ -161,9 +161,9 @@ bool areOptions(const FuturesOptions& options) {
 }
 
 /// Nothing: values that cannot be.
-std::optional<FuturesQuestion> questionFrom(const FutureJson& json) {
-  FuturesQuestion question;
-  Bundle& bundle = question.bundle;
+std::optional<FuturesRequest> requestOf(const FutureJson& json) {
+  FuturesRequest request;
+  Bundle& bundle = request.bundle;
   bundle.path = json.at("path").get<std::string>();
   bundle.scenario = std::make_shared<const sim2d::Scenario>(
       sim2d::readScenarioText(json.at("scenario").get<std::string>(), bundle.path).scenario);
@@ -184,16 +184,16 @@ std::optional<FuturesQuestion> questionFrom(const FutureJson& json) {
     if (!read) {
       return std::nullopt;
     }
-    question.branches.push_back(*std::move(read));
+    request.branches.push_back(*std::move(read));
   }
   const base::Result<sim2d::RecordedInputs> inputs =
       sim2d::parseInputs(json.at("inputs").get<std::string>(), "inputs");
-  question.inputs = inputs ? *inputs : sim2d::RecordedInputs();
-  question.at = json.at("at").get<std::int64_t>();
-  question.state = json.at("state").get<std::string>();
-  question.options = json.at("options").get<FuturesOptions>();
-  return question.at >= 0 && areOptions(question.options)
-             ? std::optional<FuturesQuestion>(std::move(question))
+  request.inputs = inputs ? *inputs : sim2d::RecordedInputs();
+  request.at = json.at("at").get<std::int64_t>();
+  request.state = json.at("state").get<std::string>();
+  request.options = json.at("options").get<FuturesOptions>();
+  return request.at >= 0 && areOptions(request.options)
+             ? std::optional<FuturesRequest>(std::move(request))
              : std::nullopt;
 }
 
@@ -243,10 +243,10 @@ std::optional<Future> futureOf(const std::string& text) {
   return future;
 }
 
-std::string questionBytes(const FuturesQuestion& question) {
-  const Bundle& bundle = question.bundle;
+std::string encodeFuturesRequest(const FuturesRequest& request) {
+  const Bundle& bundle = request.bundle;
   FutureJson branches = FutureJson::array();
-  for (const RunBranch& branch : question.branches) {
+  for (const RunBranch& branch : request.branches) {
     branches.push_back(branchJson(branch));
   }
   const FutureJson json = {{"path", bundle.path},
@@ -256,25 +256,25 @@ std::string questionBytes(const FuturesQuestion& question) {
                            {"exact", bundle.settings.exact},
                            {"compat", quirksText(bundle.settings.compatibility)},
                            {"branches", branches},
-                           {"inputs", inputRows(question.inputs)},
-                           {"at", question.at},
-                           {"state", question.state},
-                           {"options", question.options}};
+                           {"inputs", inputRows(request.inputs)},
+                           {"at", request.at},
+                           {"state", request.state},
+                           {"options", request.options}};
   const std::vector<std::uint8_t> bytes = FutureJson::to_cbor(json);
   return {bytes.begin(), bytes.end()};
 }
 
-base::Result<FuturesQuestion> questionOf(const std::string& bytes) {
+base::Result<FuturesRequest> decodeFuturesRequest(const std::string& bytes) {
   JsonDepthCheck shallow;
   if (!FutureJson::sax_parse(bytes, &shallow, FutureJson::input_format_t::cbor)) {
     return base::error("futures.bad-question");
   }
   const FutureJson json = FutureJson::from_cbor(bytes, true, false);
   try {
-    if (std::optional<FuturesQuestion> question = questionFrom(json)) {
-      return *std::move(question);
+    if (std::optional<FuturesRequest> request = requestOf(json)) {
+      return *std::move(request);
     }
-  } catch (const FutureJson::exception&) {  // told below
+  } catch (const FutureJson::exception&) {  // reported below
   }
   return base::error("futures.bad-question");
 }

@@ -130,7 +130,7 @@ base::Diagnostics readValidPart(const ManifestOfRun& run, const sim2d::ImageLoad
     return settings.diagnostics();
   }
   bundle = readBundle(run.spec, *settings, loader);
-  bundle.settings.code = sim2d::ExternalCodePolicy::Refused;  // permission is given anew
+  bundle.settings.code = sim2d::ExternalCodePolicy::Refused;  // permission is required again
   base::Diagnostics problems = errorsOf(bundle.remarks);
   base::append(problems, errorsOf(bundle.wrongOptions));
   return problems;

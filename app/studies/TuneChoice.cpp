@@ -10,7 +10,7 @@ namespace {
 constexpr int kMeanDistance = 2;     // generations between the means of the final comparison
 constexpr double kNoEffect = 0.005;  // of the score
 
-/// Whether a loss is so small that it does not matter, or cannot be told from chance.
+/// Whether a loss is too small to matter, or not distinguishable from chance.
 bool isNegligible(const TuneScore& score) {
   return score.total - 1.0 <= std::max(kNoEffect, score.error / 2.0);
 }

@@ -94,7 +94,7 @@ std::optional<std::string> withFirstLine(const std::string& text, const base::Ya
 }
 
 /// The text of a scenario with a parameter of a robot's planner, checked by reading it again. A
-/// layout that cannot be kept is written anew.
+/// layout that cannot be kept is written again.
 std::optional<std::string> withPlannerParameter(const std::string& text, const std::string& robot,
                                                 const std::string& name, const std::string& value) {
   constexpr char kParameters[] = "planner_parameters";

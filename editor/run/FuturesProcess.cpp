@@ -11,7 +11,7 @@ FuturesProcess::~FuturesProcess() {
   cancel();
 }
 
-void FuturesProcess::ask(const app::FuturesQuestion& question) {
+void FuturesProcess::ask(const app::FuturesRequest& request) {
   cancel();
   process_ = new QProcess(this);
   connect(process_, &QProcess::readyReadStandardOutput, this, &FuturesProcess::read);
@@ -26,7 +26,7 @@ void FuturesProcess::ask(const app::FuturesQuestion& question) {
   });
   process_->start(program_, {QStringLiteral("futures"), QStringLiteral("-")});
   if (process_ != nullptr) {  // Otherwise the process failed to start, which is reported.
-    process_->write(QByteArray::fromStdString(app::questionBytes(question)));
+    process_->write(QByteArray::fromStdString(app::encodeFuturesRequest(request)));
     process_->closeWriteChannel();
   }
 }

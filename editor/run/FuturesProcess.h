@@ -17,8 +17,8 @@ class FuturesProcess : public QObject {
 
   void setProgram(const QString& path) { program_ = path; }  // Another executable.
   bool isRunning() const { return process_ != nullptr; }
-  void ask(const app::FuturesQuestion& question);  // Cancels the previous request.
-  void cancel();                                   // No further signals are emitted.
+  void ask(const app::FuturesRequest& request);  // Cancels the previous request.
+  void cancel();                                 // No further signals are emitted.
 
  Q_SIGNALS:
   void futureReceived(const app::Future& future);

@@ -107,9 +107,9 @@ void emitGoal(const ResolvedRobot& robot, std::size_t goal, WorldState& state);
 void completeGoals(const ResolvedRobot& robot, const NavigationResult& end, RobotState& now,
                    WorldState& state);
 
-/// Detects stuck robots: those with a goal that have come no 0.1 m nearer to it, along the path
-/// around the walls, for WorldModel::stuckAfter seconds. Robots that have not started yet do not
-/// count, nor robots without a path while a door will still toggle. Not thread-safe.
+/// Detects stuck robots: those with a goal whose distance to it, along the path around the walls,
+/// has not decreased by 0.1 m within WorldModel::stuckAfter seconds. Robots that have not started
+/// yet do not count, nor robots without a path while a door will still toggle. Not thread-safe.
 class StuckRobots {
  public:
   explicit StuckRobots(const WorldModel& model);

@@ -85,7 +85,7 @@ class MadeUpCommandTest : public QObject {
       words.push_back(text.data());
     }
     const app::Invocation given{static_cast<int>(words.size()), words.data()};
-    QCOMPARE(given.wordsForResults(),
+    QCOMPARE(given.argumentsForResults(),
              (std::vector<std::string>{"hunavsim", "tune", "a.yaml", "--seeds", "5", "-o", "out"}));
   }
 

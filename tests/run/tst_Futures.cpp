@@ -96,11 +96,11 @@ class FuturesTest : public QObject {
   }
 
   void decisiveMoment_isTheMedianOfContacts() {
-    QVERIFY(!app::decisiveMoment({touching(0, 0.0)}));
-    QCOMPARE(*app::decisiveMoment(
+    QVERIFY(!app::medianContactTime({touching(0, 0.0)}));
+    QCOMPARE(*app::medianContactTime(
                  {touching(0, 7.0), touching(1, 0.0), touching(2, 5.0), touching(3, 6.0)}),
              6.0);
-    QCOMPARE(*app::decisiveMoment({touching(0, 7.0), touching(1, 5.0)}), 5.0);
+    QCOMPARE(*app::medianContactTime({touching(0, 7.0), touching(1, 5.0)}), 5.0);
   }
 
   void text_readBack_isEqual() {
@@ -145,8 +145,8 @@ class FuturesTest : public QObject {
     options.jobs = 2;
     std::vector<app::Future> futures;
     const auto world = worldAt(bundle, kAt);
-    const auto tell = [&](const app::Future& future) { futures.push_back(future); };
-    QVERIFY(app::simulateFutures(*world, bundle, options, tell, kGoOn).empty());
+    const auto onFuture = [&](const app::Future& future) { futures.push_back(future); };
+    QVERIFY(app::simulateFutures(*world, bundle, options, onFuture, kGoOn).empty());
     QCOMPARE(futures.size(), std::size_t{3});
     QCOMPARE(world->stepIndex(), kAt);  // this process has not moved
     for (const app::Future& future : futures) {
@@ -235,51 +235,52 @@ class FuturesTest : public QObject {
     // They may step aside, but not by more than a body.
     QVERIFY2(std::fabs(future.contact->where.y()) < 0.35,
              QByteArray::number(future.contact->where.y()));
-    QCOMPARE(*app::decisiveMoment({future}), future.contact->time);
+    QCOMPARE(*app::medianContactTime({future}), future.contact->time);
   }
 
   void question_throughBytes_isAnsweredAlike() {
-    app::FuturesQuestion question;
-    question.bundle = crossing();
+    app::FuturesRequest request;
+    request.bundle = crossing();
     app::RunBranch branch;
     branch.step = 20;
     branch.changes.set = {"robot1.max_vel=0.4"};
     branch.changes.stuckAfter = 3.5;
-    question.branches = {branch};
+    request.branches = {branch};
     sim2d::Input push;
     push.kind = sim2d::InputKind::Push;
     push.id = 2;
     push.velocity = {0.1, 0.3};
-    question.inputs = {{12, push}};
-    question.at = 60;
-    question.options.count = 2;
-    question.options.horizon = 2.0;
-    const auto answered = [](const app::FuturesQuestion& asked) {
+    request.inputs = {{12, push}};
+    request.at = 60;
+    request.options.count = 2;
+    request.options.horizon = 2.0;
+    const auto answered = [](const app::FuturesRequest& asked) {
       std::map<int, std::string> texts;
-      const base::Diagnostics problems = app::answer(
+      const base::Diagnostics problems = app::runFuturesRequest(
           asked, [&](const app::Future& future) { texts[future.number] = app::futureText(future); },
           kGoOn);
       return problems.empty() ? texts : std::map<int, std::string>();
     };
-    const auto read = app::questionOf(app::questionBytes(question));
+    const auto read = app::decodeFuturesRequest(app::encodeFuturesRequest(request));
     QVERIFY(bool(read));
-    const auto texts = answered(question);
+    const auto texts = answered(request);
     QCOMPARE(texts.size(), std::size_t{2});
     QVERIFY(answered(*read) == texts);
-    app::FuturesQuestion nav2 = question;
+    app::FuturesRequest nav2 = request;
     nav2.branches.front().changes.nav2Params = {"FollowPath.max_vel_x:=0.3"};
-    const auto readNav2 = app::questionOf(app::questionBytes(nav2));
+    const auto readNav2 = app::decodeFuturesRequest(app::encodeFuturesRequest(nav2));
     QVERIFY(bool(readNav2));
     QVERIFY(readNav2->branches.front().changes.nav2Params ==
             nav2.branches.front().changes.nav2Params);
-    app::FuturesQuestion slower = question;  // what it was made of counts
+    app::FuturesRequest slower = request;  // what it was made of counts
     slower.branches.clear();
     QVERIFY(answered(slower) != texts);
-    app::FuturesQuestion other = question;
+    app::FuturesRequest other = request;
     other.state = "60,3,1,human,0,0\n";
     QVERIFY(answered(other).empty());
-    QVERIFY(!app::questionOf("no question"));
-    QVERIFY(!app::questionOf(std::string(1000000, '\x81')));  // a list of one list of one …
+    QVERIFY(!app::decodeFuturesRequest("no request"));
+    QVERIFY(
+        !app::decodeFuturesRequest(std::string(1000000, '\x81')));  // a list of one list of one …
   }
 
   void question_withOneWrongValue_isRefused_data() {
@@ -304,17 +305,17 @@ class FuturesTest : public QObject {
   void question_withOneWrongValue_isRefused() {
     QFETCH(QString, path);
     QFETCH(QString, value);
-    app::FuturesQuestion question;
-    question.bundle = crossing();
-    question.bundle.map = std::make_shared<const sim2d::OccupancyGrid>(
+    app::FuturesRequest request;
+    request.bundle = crossing();
+    request.bundle.map = std::make_shared<const sim2d::OccupancyGrid>(
         2, 2, 0.5, base::Pose2(), std::vector<std::int8_t>(4, 0));
-    const std::string bytes = app::questionBytes(question);
-    QVERIFY(bool(app::questionOf(bytes)));
+    const std::string bytes = app::encodeFuturesRequest(request);
+    QVERIFY(bool(app::decodeFuturesRequest(bytes)));
     nlohmann::json json = nlohmann::json::from_cbor(bytes);
     json[nlohmann::json::json_pointer(path.toStdString())] =
         nlohmann::json::parse(value.toStdString());
     const std::vector<std::uint8_t> other = nlohmann::json::to_cbor(json);
-    QVERIFY(!app::questionOf({other.begin(), other.end()}));
+    QVERIFY(!app::decodeFuturesRequest({other.begin(), other.end()}));
   }
 
   void futures_stopped_endAtOnce() {

@@ -23,18 +23,18 @@ namespace app {
 
 namespace {
 
-struct FuturesWords {
-  std::string moment;  // RUN@SECONDS, or "-": a question on the standard input
+struct FuturesCommandOptions {
+  std::string moment;  // RUN@SECONDS, or "-": a request on the standard input
   FuturesOptions futures;
   std::vector<std::string> set;
   std::string planner;
 };
 
-constexpr const char* kQuestion = "-";
+constexpr const char* kStandardInputRequest = "-";
 
-base::Diagnostics checkFuturesWords(const FuturesWords& words) {
+base::Diagnostics checkFuturesOptions(const FuturesCommandOptions& options) {
   base::Diagnostics wrong;
-  const FuturesOptions& futures = words.futures;
+  const FuturesOptions& futures = options.futures;
   if (futures.count < 1 || futures.count > kMaxFutures) {
     wrong.push_back(base::error("futures.count", {kMaxFutures, futures.count}));
   }
@@ -44,16 +44,16 @@ base::Diagnostics checkFuturesWords(const FuturesWords& words) {
   if (!(futures.spread >= 0.0 && futures.spread <= 1.0)) {
     wrong.push_back(base::error("futures.spread", {futures.spread}));
   }
-  if (!runMomentOf(words.moment)) {
-    wrong.push_back(base::error("again.no-moment", {words.moment}));
+  if (!runMomentOf(options.moment)) {
+    wrong.push_back(base::error("again.no-moment", {options.moment}));
   }
   return wrong;
 }
 
-/// The window asks: a line per future as it comes.
-int answerQuestion() {
+/// Handles a request of the window: prints a line per future as it ends.
+int serveFuturesRequest() {
   catchInterrupts();
-  constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;  // of a question
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;  // of a request
   std::string bytes;
   std::array<char, 65536> part;
   while (bytes.size() <= kMaxBytes &&
@@ -61,28 +61,28 @@ int answerQuestion() {
     bytes.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
   }
   if (bytes.size() > kMaxBytes) {
-    bytes.clear();  // no question is so long
+    bytes.clear();  // no request is so long
   }
-  const base::Result<FuturesQuestion> question = questionOf(bytes);
-  requireFine(question.diagnostics());
-  const auto tell = [](const Future& future) {
+  const base::Result<FuturesRequest> request = decodeFuturesRequest(bytes);
+  requireFine(request.diagnostics());
+  const auto onFuture = [](const Future& future) {
     printLine(futureText(future));
     std::cout.flush();
   };
-  requireFine(answer(*question, tell, wasInterrupted));
+  requireFine(runFuturesRequest(*request, onFuture, wasInterrupted));
   return wasInterrupted() ? ExitRunFailed : ExitFine;
 }
 
-std::vector<Future> futuresOf(RunReplay& replay, std::int64_t at, const FuturesWords& words,
-                              const Invocation& given) {
+std::vector<Future> futuresOf(RunReplay& replay, std::int64_t at,
+                              const FuturesCommandOptions& options, const Invocation& given) {
   std::vector<Future> futures;
   base::Diagnostics problems;
   Progress progress(given.quiet);
   Session session({at + 1, false});
   sim2d::World& world = *replay.verdict().world;
-  const auto tell = [&](const Future& future) {
+  const auto onFuture = [&](const Future& future) {
     futures.push_back(future);
-    progress.show(std::to_string(futures.size()) + " / " + std::to_string(words.futures.count) +
+    progress.show(std::to_string(futures.size()) + " / " + std::to_string(options.futures.count) +
                   " futures");
   };
   bool isThere = false;
@@ -92,7 +92,7 @@ std::vector<Future> futuresOf(RunReplay& replay, std::int64_t at, const FuturesW
       session.stop();
     } else if (frame.step == at) {
       isThere = true;
-      problems = simulateFutures(world, replay.bundle(), words.futures, tell, wasInterrupted);
+      problems = simulateFutures(world, replay.bundle(), options.futures, onFuture, wasInterrupted);
       session.stop();
     }
   });
@@ -119,7 +119,7 @@ void showChances(const std::vector<Future>& futures, double from, double horizon
                     percentText(each.interval.low) + " to " + percentText(each.interval.high)});
   }
   printTable(rows);
-  if (const std::optional<double> moment = decisiveMoment(futures)) {
+  if (const std::optional<double> moment = medianContactTime(futures)) {
     printLine("median time of contacts: " + base::formatDecimals(*moment, 1) + " s");
   }
 }
@@ -132,16 +132,16 @@ void printFutures(const std::vector<Future>& futures) {
   printLine(base::jsonText(all));
 }
 
-int futuresCommand(const FuturesWords& words, const Invocation& given) {
-  if (words.moment == kQuestion) {
-    return answerQuestion();
+int futuresCommand(const FuturesCommandOptions& options, const Invocation& given) {
+  if (options.moment == kStandardInputRequest) {
+    return serveFuturesRequest();
   }
-  requireFine(checkFuturesWords(words), ExitWrongCommandLine);
+  requireFine(checkFuturesOptions(options), ExitWrongCommandLine);
   RunSpec spec;
-  spec.from = words.moment;
-  spec.set = words.set;
-  if (!words.planner.empty()) {
-    spec.planner = words.planner;
+  spec.from = options.moment;
+  spec.set = options.set;
+  if (!options.planner.empty()) {
+    spec.planner = options.planner;
   }
   base::Result<std::unique_ptr<RunReplay>> replay =
       RunReplay::prepare(spec, loadMapImage, interruptStop());
@@ -150,12 +150,12 @@ int futuresCommand(const FuturesWords& words, const Invocation& given) {
   requireFine((*replay)->verdict().problems, ExitBadInput, base::Severity::Warning);
   catchInterrupts();
   const RunOrigin origin = (*replay)->origin();
-  const std::vector<Future> futures = futuresOf(**replay, origin.step, words, given);
+  const std::vector<Future> futures = futuresOf(**replay, origin.step, options, given);
   if (given.json) {
     printFutures(futures);
   } else if (!given.quiet) {
     const double from = static_cast<double>(origin.step) * (*replay)->header().dt;
-    showChances(futures, from, words.futures.horizon);
+    showChances(futures, from, options.futures.horizon);
   }
   if (wasInterrupted()) {
     printError("interrupted after " + std::to_string(futures.size()) + " futures");
@@ -170,23 +170,23 @@ void addFutures(CommandRegistry& commands) {
       "futures", "Estimate the probability of a contact after a moment of a recorded run",
       futuresCommand);
   CLI::App& command = added.first;
-  FuturesWords& words = added.second;
-  words.futures.jobs = processorCount();
-  command.add_option("moment", words.moment, "RUN@SECONDS: a recorded run and a time in it")
+  FuturesCommandOptions& options = added.second;
+  options.futures.jobs = processorCount();
+  command.add_option("moment", options.moment, "RUN@SECONDS: a recorded run and a time in it")
       ->required();
-  command.add_option("--seeds", words.futures.count, "Number of simulated futures (default: 20)");
-  command.add_option("--seed", words.futures.seed,
+  command.add_option("--seeds", options.futures.count, "Number of simulated futures (default: 20)");
+  command.add_option("--seed", options.futures.seed,
                      "Seed of the first future, increased by 1 for each next one (default: 1)");
-  command.add_option("--horizon", words.futures.horizon,
+  command.add_option("--horizon", options.futures.horizon,
                      "Duration of each future [s] (default: 10)");
   command.add_option(
-      "--spread", words.futures.spread,
+      "--spread", options.futures.spread,
       "Velocity uncertainty: standard deviation of a random velocity added to each walking person "
       "once per second, per axis [m/s] (default: 0.2)");
-  command.add_option("--planner", words.planner, "Planner of the first robot after that time");
-  command.add_option("--set", words.set, "PATH=VALUE: value after that time, as in run --from")
+  command.add_option("--planner", options.planner, "Planner of the first robot after that time");
+  command.add_option("--set", options.set, "PATH=VALUE: value after that time, as in run --from")
       ->allow_extra_args(false);
-  addJobs(command, words.futures.jobs);
+  addJobs(command, options.futures.jobs);
   commands.addExamples(command, {{"hunavsim futures out@2 --seeds 10 --horizon 3",
                                   "Simulate ten futures of 3 s after the first 2 s"}});
 }

@@ -143,7 +143,7 @@ int gateCommand(const GateArguments& arguments, const Invocation& given) {
       openStudyPool(arguments.runs, folder ? folder->journal() : std::string(), progress);
   const GateResult result = runInPool(arguments, options, *pool, progress);
   const report::GateReport report =
-      report::makeGateReport(options, result, given.wordsForResults(), pool->inputs());
+      report::makeGateReport(options, result, given.argumentsForResults(), pool->inputs());
   if (folder) {
     requireFine(folder->finish({{"gate.html", report.html},
                                 {"gate.md", report.markdown},

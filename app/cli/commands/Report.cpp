@@ -166,7 +166,7 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
       return ExitRunFailed;
     }
   }
-  const std::vector<std::string> words = given.wordsForResults();
+  const std::vector<std::string> words = given.argumentsForResults();
   const auto onProgress = [&progress](const std::string& what) { progress.show(what); };
   const base::Result<report::Report> report =
       study->sensitivity ? sensitivityReport(*study, words)

@@ -196,7 +196,7 @@ int conclude(const RunCommandOptions& options, const Invocation& given, const Bu
   return exitCodeOf(run, options);
 }
 
-/// Null when it cannot be written to, or would lose something: told in the verdict.
+/// Null if the folder cannot be written or files would be lost; the verdict contains the errors.
 std::unique_ptr<OutputFolder> openOutput(const RunCommandOptions& options, Verdict& verdict) {
   base::Result<std::unique_ptr<OutputFolder>> opened =
       OutputFolder::open(options.output, options.force);
@@ -214,7 +214,7 @@ std::unique_ptr<OutputFolder> openOutput(const RunCommandOptions& options, Verdi
   return lost.empty() ? *std::move(opened) : nullptr;
 }
 
-/// What is run, and what is said of it.
+/// The input of a run and its verdict.
 struct Prepared {
   Bundle bundle;
   Verdict verdict;
@@ -252,7 +252,7 @@ Prepared prepare(const RunCommandOptions& options) {
   return run;
 }
 
-void tellTroubles(sim2d::World& world, const FinishedRun& run) {
+void printDiagnosticsOfRun(sim2d::World& world, const FinishedRun& run) {
   base::Diagnostics troubles;
   world.behavior().takeDiagnostics(troubles);
   printDiagnostics(troubles);
@@ -313,7 +313,7 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
     requireFine(prepared.replay->problems(run.result));
     run.origin = prepared.replay->origin();
   }
-  tellTroubles(world, run);
+  printDiagnosticsOfRun(world, run);
   bool isCompared = true;
   if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
     isCompared = printDiagnostics(compareWithoutRobots(bundle, session, run));

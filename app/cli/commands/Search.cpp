@@ -103,12 +103,12 @@ std::vector<base::FileContent> searchFiles(const SearchStudy& study, const Searc
             {"runs.csv", searchCsv(study)},
             {"coverage.csv", coverageCsv(study)},
             {kTreeCoverageFile, treeCoverageCsv(study.result.coverage.byScenario())},
-            {"report.html", report::coveragePage(study, given.wordsForResults())}};
+            {"report.html", report::coveragePage(study, given.argumentsForResults())}};
   }
   std::vector<base::FileContent> files = {
       {"archive.json", searchJson(study)},
       {"runs.csv", searchCsv(study)},
-      {"report.html", report::searchPage(study, options.output, given.wordsForResults())}};
+      {"report.html", report::searchPage(study, options.output, given.argumentsForResults())}};
   for (const SavedFailure& failure : study.failures) {
     files.push_back({failure.file, failure.text});
   }

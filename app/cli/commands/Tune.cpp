@@ -128,7 +128,7 @@ int tuneCommand(const TuneArguments& arguments, const Invocation& given) {
   progress.clear();
   requireFine(result.diagnostics(), wasInterrupted() ? ExitRunFailed : ExitBadInput);
   const report::TuneReport made = report::makeTuneReport(
-      options, subject, *result, {tunedName, given.wordsForResults(), pool->inputs()});
+      options, subject, *result, {tunedName, given.argumentsForResults(), pool->inputs()});
   std::vector<base::FileContent> files = {{tunedName, made.tuned},
                                           {"changes.diff", made.diff},
                                           {"report.html", made.html},

@@ -80,22 +80,22 @@ void FuturesPanel::start() {
   if (run.bundle == nullptr) {
     return;
   }
-  app::FuturesQuestion question;
-  question.bundle = *run.bundle;
-  question.branches = app::branchesUntil(run.branches, shown->step);
-  question.inputs = runner.recording()->inputsUntil(shown->step);
-  question.at = shown->step;
-  sim2d::appendTrajectoryRows(question.state, *shown);
-  question.options.count = count_->value();
-  question.options.horizon = horizon_->value();
-  question.options.spread = spread_->value();
-  question.options.jobs = std::max(1, QThread::idealThreadCount());
-  asked_ = question.options;
+  app::FuturesRequest request;
+  request.bundle = *run.bundle;
+  request.branches = app::branchesUntil(run.branches, shown->step);
+  request.inputs = runner.recording()->inputsUntil(shown->step);
+  request.at = shown->step;
+  sim2d::appendTrajectoryRows(request.state, *shown);
+  request.options.count = count_->value();
+  request.options.horizon = horizon_->value();
+  request.options.spread = spread_->value();
+  request.options.jobs = std::max(1, QThread::idealThreadCount());
+  asked_ = request.options;
   from_ = shown->time;
   of_ = runner.recording();
   futures_ = std::make_shared<std::vector<app::Future>>();
   isComplete_ = false;
-  process_.ask(question);
+  process_.ask(request);
   progress_->setRange(0, asked_.count);
   showAll();
   follow();
@@ -166,7 +166,7 @@ QString FuturesPanel::countText() const {
 void FuturesPanel::showAll() {
   const std::vector<app::ContactChance> chances =
       app::contactChances(*futures_, from_, asked_.horizon);
-  const std::optional<double> decisive = app::decisiveMoment(*futures_);
+  const std::optional<double> decisive = app::medianContactTime(*futures_);
   plot_->show(futures_->empty() ? std::vector<app::ContactChance>() : chances, decisive);
   progress_->setValue(static_cast<int>(futures_->size()));
   futuresLayer_->show(isVisible() && !futures_->empty() ? futures_ : nullptr);
