@@ -295,8 +295,8 @@ class ReportProgramTest : public QObject {
     const ResultsFolder folder;
     const Finished done = report(folder.filePath(text("results.csv")), {});
     QCOMPARE(done.exitCode, 2);
-    QVERIFY2(done.err.endsWith(text("results.csv: error: a file is not a batch (give the folder "
-                                    "that hunavsim batch wrote)\n")) &&
+    QVERIFY2(done.err.endsWith(text("results.csv: error: this is a file: give the folder that "
+                                    "hunavsim batch wrote\n")) &&
                  done.err.count(QLatin1Char('\n')) == 1,
              qPrintable(done.err));
   }

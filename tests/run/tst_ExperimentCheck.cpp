@@ -57,7 +57,7 @@ class ExperimentCheckTest : public QObject {
  private Q_SLOTS:
   void fileOfAnotherKind_isOneProblem() {
     for (const auto& [text, said] : {std::pair("hunav_loader:\n  ros__parameters:\n    map: yard\n",
-                                               "1:1 error a scenario is not an experiment"),
+                                               "1:1 error this is a scenario, not an experiment"),
                                      std::pair("image: yard.pgm\nresolution: 0.05\n",
                                                "1:1 error this is not an experiment")}) {
       const QStringList lines = linesOf(app::parseExperiment(text, "e.yaml").diagnostics());

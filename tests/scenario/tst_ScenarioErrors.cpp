@@ -56,9 +56,9 @@ class ScenarioErrorsTest : public QObject {
   void read_fileOfAnotherKind_saysWhatItIs_data() {
     addColumns<QByteArray, QByteArray>({"text", "said"});
     QTest::newRow("experiment") << QByteArray("hunavsim_experiment: 1\nscenarios: [yard.yaml]\n")
-                                << QByteArray("f.yaml:1:1: error: an experiment is not a scenario");
+                                << QByteArray("f.yaml:1:1: error: this is an experiment, not a scenario");
     QTest::newRow("map") << QByteArray("image: yard.pgm\nresolution: 0.05\n")
-                         << QByteArray("f.yaml:1:1: error: a map is not a scenario");
+                         << QByteArray("f.yaml:1:1: error: this is a map, not a scenario");
     QTest::newRow("nav2") << QByteArray(
                                  "a_server:\n  ros__parameters:\n    x: 1.0\n"
                                  "b_server:\n  ros__parameters:\n    y: 1.0\n")
