@@ -34,7 +34,8 @@ class BatchRepeater {
   /// Errors: code that may not or cannot start. Other problems are differences.
   base::Diagnostics prepare(Rerun& rerun) {
     base::Diagnostics refused;
-    for (const base::Diagnostic& problem : runner_.check()) {
+    for (const base::Diagnostic& problem :
+         runner_.check(base::Severity::Error, app::ExperimentRunner::Checked::FirstRuns)) {
       const bool isCode = problem.code == "code.not-allowed";
       base::append(isCode ? refused : rerun.differences,
                    atMembers({problem}, capsule_.root, capsule_.file));

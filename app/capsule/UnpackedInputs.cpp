@@ -41,7 +41,8 @@ base::Diagnostics checkBatch(const CapsuleManifest& manifest, const std::string&
   }
   experiment->allowCode = true;  // nothing is started here
   app::ExperimentRunner runner(*experiment, {}, loader);
-  base::Diagnostics problems = app::errorsOf(runner.check(base::Severity::Info));
+  base::Diagnostics problems =
+      app::errorsOf(runner.check(base::Severity::Info, app::ExperimentRunner::Checked::FirstRuns));
   base::append(problems,
                foreignInputs(packedOnly(runner.inputs(), manifest), manifest, root, file));
   return problems;

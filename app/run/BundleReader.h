@@ -26,6 +26,8 @@ class BundleReader {
   /// The bundle of a run. `used` receives the files that the run reads, and the code that it
   /// starts.
   Bundle read(const RunSpec& spec, const RunSettings& settings, FileIndices& used);
+  /// The bundle of a run that is only checked: its files do not become inputs().
+  Bundle readToCheck(const RunSpec& spec) { return readBundle(spec, RunSettings(), *files_); }
 
   /// All files so far as they were at first use, each once.
   const std::vector<InputHash>& inputs() const { return fingerprints_.all(); }

@@ -265,15 +265,11 @@ class ValueCheck {
   /// number as it will be drawn.
   void tryTexts(const YamlNode& node) {
     const ExperimentValue& value = experiment_.values[value_];
-    const YamlNode& list = node.isMap() ? node.items.front() : node;
     for (const std::size_t k : value.representativeTexts()) {
-      const bool isLast = k + 1 == value.texts.size();
-      const bool isWritten = !value.isRange || k == 0 || isLast;
-      const std::size_t item = value.isRange && k != 0 ? 1 : k;  // [FROM, TO, STEP]
-      tryText(value.texts[k], isWritten ? list.items[item] : list);
+      tryText(value.texts[k], nodeOfText(value, k, node));
     }
     if (value.isDrawn() && value.texts.empty()) {
-      tryDraws(list);
+      tryDraws(node.items.front());
     }
   }
 

@@ -8,6 +8,7 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/MetricsSetup.h"
+#include "app/run/OptionCheck.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
 #include "app/run/TreeCoverage.h"
@@ -30,8 +31,7 @@ RunSettings settingsOf(const Experiment& experiment) {
 
 }  // namespace
 
-base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario,
-                                                  base::Severity codeSeverity) {
+base::Diagnostics ExperimentRunner::errorsOfFirstRun(std::size_t scenario) {
   const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
   BundleReader::FileIndices used;
   const Bundle bundle = reader_.read(experiment_.specOf(scenario * runs), RunSettings(), used);
@@ -42,17 +42,29 @@ base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario,
     problems.push_back(std::move(problem));
   }
   base::append(problems, errorsOf(verdict.problems));
-  if (!experiment_.allowCode) {
-    base::append(problems, externalCodeProblems(externalCodeOf(experiment_, *bundle.scenario),
-                                                codeSeverity, bundle.path));
-  }
   return problems;
 }
 
-base::Diagnostics ExperimentRunner::check(base::Severity codeSeverity) {
+base::Diagnostics ExperimentRunner::codeProblems(std::size_t scenario,
+                                                 base::Severity severity) const {
+  const std::string& path = experiment_.scenarioPaths[scenario];
+  sim2d::Scenario withoutValues = sim2d::readScenario(path).scenario;
+  applyOptions(withoutValues, experiment_.common, {});
+  return externalCodeProblems(externalCodeOf(experiment_, withoutValues), severity, path);
+}
+
+base::Diagnostics ExperimentRunner::check(base::Severity codeSeverity, Checked checked) {
   base::Diagnostics problems;
+  OptionCheck options(experiment_);
   for (std::size_t k = 0; k < experiment_.scenarios.size(); ++k) {
-    base::append(problems, checkScenario(k, codeSeverity));
+    const base::Diagnostics errors = errorsOfFirstRun(k);
+    base::append(problems, errors);
+    if (!experiment_.allowCode) {
+      base::append(problems, codeProblems(k, codeSeverity));
+    }
+    if (checked == Checked::AllOptions) {
+      base::append(problems, options.errorsIn(k, errors, reader_));
+    }
   }
   return problems;
 }

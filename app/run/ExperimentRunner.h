@@ -21,9 +21,14 @@ class ExperimentRunner {
   ExperimentRunner(const Experiment& experiment, std::string runsFolder, sim2d::ImageLoader loader)
       : experiment_(experiment), runsFolder_(std::move(runsFolder)), reader_(std::move(loader)) {}
 
-  /// Reports scenarios that no run could use, values that no scenario accepts and, if external code
-  /// is not allowed, programs that would have to be started.
-  base::Diagnostics check(base::Severity codeSeverity = base::Severity::Error);
+  /// Whose files check() reads: those of the first run of each scenario only, or also those of the
+  /// other options of robots.
+  enum class Checked { FirstRuns, AllOptions };
+  /// Reports scenarios that no run could use, values that no scenario accepts, options of robots
+  /// that no run could use (at their places in the experiment) and, if external code is not
+  /// allowed, programs that would have to be started.
+  base::Diagnostics check(base::Severity codeSeverity = base::Severity::Error,
+                          Checked checked = Checked::AllOptions);
   /// Files that the first runs of the scenarios use, each once; known after check().
   const std::vector<InputHash>& inputs() const { return reader_.inputs(); }
 
@@ -35,7 +40,8 @@ class ExperimentRunner {
       const std::function<void(const std::vector<InputHash>&)>& reportInputs = {});
 
  private:
-  base::Diagnostics checkScenario(std::size_t scenario, base::Severity codeSeverity);
+  base::Diagnostics errorsOfFirstRun(std::size_t scenario);
+  base::Diagnostics codeProblems(std::size_t scenario, base::Severity severity) const;
   base::Result<ResultRow> runWithFiles(std::size_t index, const Bundle& bundle);
   std::string folderOf(std::size_t run) const;
   bool isKept(const ResultRow& row) const;

@@ -343,6 +343,14 @@ base::Diagnostic located(const YamlNode& node, base::Diagnostic problem) {
   return problem;
 }
 
+const YamlNode& nodeOfText(const ExperimentValue& value, std::size_t text, const YamlNode& node) {
+  const YamlNode& list = node.isMap() ? node.items.front() : node;
+  const bool isLast = text + 1 == value.texts.size();
+  const bool isWritten = !value.isRange || text == 0 || isLast;
+  const std::size_t item = value.isRange && text != 0 ? 1 : text;  // [FROM, TO, STEP]
+  return isWritten ? list.items[item] : list;
+}
+
 std::string valueText(const YamlNode& node) {
   return node.isScalar() ? node.text : flowStyleText(node);
 }

@@ -54,6 +54,11 @@ std::vector<std::string> optionLabels(const std::vector<std::string>& texts);
 /// The problem with the line and column of a node.
 base::Diagnostic located(const base::YamlNode& node, base::Diagnostic problem);
 
+/// Where the text with this number is written in the node of its value: the item of a list, or the
+/// whole list if the text is a step of a range.
+const base::YamlNode& nodeOfText(const ExperimentValue& value, std::size_t text,
+                                 const base::YamlNode& node);
+
 /// The YAML text of a value, lists and maps in one line.
 std::string valueText(const base::YamlNode& node);
 

@@ -78,6 +78,13 @@ class ExperimentCheckTest : public QObject {
         app::parseExperiment(file, folder_.path(QStringLiteral("e.yaml")).toStdString());
     QVERIFY2(bool(experiment),
              qPrintable(linesOf(experiment.diagnostics()).join(QLatin1Char('\n'))));
+    std::vector<std::string> reported;
+    for (const base::Diagnostic& problem : app::ExperimentRunner(*experiment, {}, {}).check()) {
+      if (problem.code == "code.not-allowed") {
+        reported.push_back(problem.value("command"));
+      }
+    }
+    QCOMPARE(reported, (std::vector<std::string>{"./first", "./own"}));
     const sim2d::Scenario scenario =
         sim2d::readScenario(experiment->scenarioPaths.front()).scenario;
     std::vector<std::string> commands;
@@ -85,6 +92,42 @@ class ExperimentCheckTest : public QObject {
       commands.push_back(code.words);
     }
     QCOMPARE(commands, (std::vector<std::string>{"./first", "./own"}));
+  }
+
+  /// Relative files of options are beside the scenario: found in one folder, missing in the other.
+  void filesOfAllOptions_areChecked() {
+    outside::writeText(folder_.path(QStringLiteral("there.csv")),
+                       "time,linear,angular\n0.0,0.1,0.0\n1.0,0.1,0.0\n");
+    QVERIFY(QDir(folder_.path({})).mkpath(QStringLiteral("other")));
+    writeScenario("other/yard.yaml", outside::kYardText);
+    const QByteArray values =
+        "values:\n  robot1:\n    - {planner: dwa}\n"
+        "    - {planner: replay, planner_parameters: {file: gone.csv}}\n"
+        "    - {planner: replay, planner_parameters: {file: there.csv}}\n"
+        "    - {planner: replay}\n"
+        "    - {planner: nav2, nav2_params: gone.yaml}\n"
+        "    - {planner: orca}\n";
+    const auto here = study(values);
+    QVERIFY(here && here.diagnostics().empty());
+    app::ExperimentRunner runner(*here, {}, {});
+    QVERIFY(runner.check(base::Severity::Error, app::ExperimentRunner::Checked::FirstRuns).empty());
+    const QStringList ofOne = linesOf(runner.check());
+    QVERIFY2(ofOne.size() == 3, qPrintable(ofOne.join(QLatin1Char('\n'))));
+    QVERIFY(ofOne[0].startsWith(QLatin1String("6:7 error cannot read the file")));
+    QVERIFY(ofOne[1].startsWith(QLatin1String("8:7 error robot 'robot1': planner 'replay' needs")));
+    QVERIFY(ofOne[2].startsWith(QLatin1String("9:7 error there is no file 'gone.yaml'")));
+    const auto both = app::parseExperiment(
+        ("hunavsim_experiment: 1\nscenarios: [yard.yaml, other/yard.yaml]\n" + values)
+            .toStdString(),
+        here->path);
+    const base::Diagnostics ofBoth = app::ExperimentRunner(*both, {}, {}).check();
+    const QStringList lines = linesOf(ofBoth);
+    QVERIFY2(lines.size() == 4 && lines.mid(0, 3) == ofOne,
+             qPrintable(lines.join(QLatin1Char('\n'))));
+    QVERIFY(lines[3].startsWith(QLatin1String("7:7 error cannot read the file")));
+    for (const base::Diagnostic& problem : ofBoth) {
+      QCOMPARE(problem.file, here->path);
+    }
   }
 
   /// Four times the paths take about four times as long, whether there are such keys or not.
