@@ -133,11 +133,36 @@ base::Diagnostics unknownPath(const std::string& path, const TreeReading& readin
   return {base::error("set.unknown-path", {path, base::nearestName(path, known)})};
 }
 
+constexpr std::string_view kBehaviorEnd = ".behavior";
+constexpr std::string_view kTypeEnd = ".type";
+
+/// Whether the path leads to a key of an entity with this end.
+bool endsWithKey(std::string_view path, std::string_view end) {
+  return path.size() > end.size() && base::endsWith(path, end);
+}
+
 /// In dialect C a type is a name; a number would trigger the conversion of older formats.
-bool isNumberedType(const std::string& path, const YamlNode& value) {
-  constexpr std::string_view kEnd = ".behavior.type";
-  return path.size() > kEnd.size() && base::endsWith(path, kEnd) &&
-         (!value.isScalar() || base::parseDouble(value.text));
+bool isNumber(const YamlNode& type) {
+  return !type.isScalar() || base::parseDouble(type.text);
+}
+
+/// The error of a behaviour whose type is a number: `value` is the type, the whole behaviour as in
+/// the format of 2022, or a map with the type.
+base::Diagnostics errorOfType(const std::string& path, const std::string& text,
+                              const YamlNode& value) {
+  const std::string_view behavior = std::string_view(path).substr(
+      0, path.size() - (endsWithKey(path, kTypeEnd) ? kTypeEnd.size() : 0));
+  if (!endsWithKey(behavior, kBehaviorEnd)) {
+    return {};
+  }
+  const bool isMap = behavior == path && value.isMap();
+  const YamlNode* const type = isMap ? value.find("type") : &value;
+  if (type == nullptr || !isNumber(*type)) {
+    return {};
+  }
+  return {
+      base::withContext(isMap ? path + std::string(kTypeEnd) : path,
+                        base::error("set.no-behavior", {type->isScalar() ? type->text : text}))};
 }
 
 TreeReading readWith(YamlNode tree, const std::vector<Setting>& settings,
@@ -181,10 +206,7 @@ base::Diagnostics errorOfValue(const std::string& path, const std::string& value
   if (node.isNull()) {
     return {base::withContext(path, base::error("set.no-value", {value}))};
   }
-  if (isNumberedType(path, node)) {
-    return {base::withContext(path, base::error("set.no-behavior", {value}))};
-  }
-  return {};
+  return errorOfType(path, value, node);
 }
 
 base::Diagnostics errorOfNothingSet(const Scenario& scenario, const std::string& path,

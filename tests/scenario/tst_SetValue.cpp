@@ -81,6 +81,13 @@ class SetValueTest : public QObject {
     row("robot1", "{}", "robot1: '{}' is not a value");
     row("*", "{max_vell: 1}", "unknown path '*.max_vell' (did you mean '*.max_vel'?)");
     row("anna", "{behavior.type: 4}", "anna.behavior.type: '4' is not the name of a behaviour");
+    row("anna.behavior", "{dist: 7.5, type: 2}",
+        "anna.behavior.type: '2' is not the name of a behaviour");
+    row("*.behavior", "{type: 2}", "*.behavior.type: '2' is not the name of a behaviour");
+    row("*", "{max_vel: 1.0, behavior: {type: 2}}",
+        "*.behavior.type: '2' is not the name of a behaviour");
+    row("anna.behavior", "2", "anna.behavior: '2' is not the name of a behaviour");
+    row("ben", "{behavior: 3}", "ben.behavior: '3' is not the name of a behaviour");
     row("robot1.goals", "[1]", "robot1.goals: a robot has either 'goal' or 'goals'");
   }
   void setValue_badPathOrValue_isErrorAndChangesNothing() {
@@ -116,6 +123,15 @@ class SetValueTest : public QObject {
       QVERIFY(setValue(one, path, value).empty());
     }
     QVERIFY(scenario == one);
+  }
+
+  void setValue_mapForABehavior_takesNames() {
+    Scenario scenario = block(), one = scenario;
+    QVERIFY(setValue(scenario, "anna", "{behavior: {type: Scared, dist: 7.5}}").empty());
+    QVERIFY(setValue(one, "anna.behavior", "{type: Scared, dist: 7.5}").empty());
+    QVERIFY(scenario == one);
+    QVERIFY(scenario.human("anna")->behavior.type == BehaviorType::Scared);
+    QVERIFY(scenario.human("anna")->behavior.dist == 7.5);
   }
 
   void setValue_mapForEveryone_setsEveryListedPerson() {
