@@ -6,6 +6,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/Experiment.h"
 #include "app/run/Nav2Robots.h"
+#include "app/run/ValueKeys.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
@@ -228,10 +229,17 @@ bool isSetBy(const RunOption& option, const ExperimentValue& value,
 class ValueCheck {
  public:
   ValueCheck(const Experiment& experiment, std::vector<ExperimentTrial>& trials)
-      : experiment_(experiment), trials_(trials) {}
+      : experiment_(experiment), trials_(trials) {
+    for (const ExperimentValue& value : experiment.values) {
+      keys_.push_back(keysOf(value));
+    }
+    for (const ExperimentTrial& trial : trials) {
+      scenarios_.push_back(&trial.scenario());
+    }
+  }
 
   void check(std::size_t value, const YamlNode& node) {
-    if (isToldTwice(experiment_.values[value], node)) {
+    if (isToldTwice(experiment_.values[value], node) || replacesEarlier(value, node)) {
       return;  // whatever they are
     }
     value_ = value;
@@ -256,6 +264,21 @@ class ValueCheck {
       if (option.isGiven(experiment_.common) &&
           std::any_of(trials_.begin(), trials_.end(), isSet)) {
         return tell(base::error("experiment.told-twice", {value.path, option.key()}));
+      }
+    }
+    return false;
+  }
+
+  /// Whether it sets what an earlier value sets, which would then have no effect.
+  bool replacesEarlier(std::size_t value, const YamlNode& node) {
+    for (std::size_t k = 0; k < value; ++k) {
+      const std::string key = replacedKey(keys_[k], keys_[value], scenarios_);
+      if (!key.empty()) {
+        problems_.push_back(located(
+            base::keyNode(node),
+            base::error("experiment.overlap",
+                        {experiment_.values[value].path, experiment_.values[k].path, key})));
+        return true;
       }
     }
     return false;
@@ -320,6 +343,8 @@ class ValueCheck {
 
   const Experiment& experiment_;
   std::vector<ExperimentTrial>& trials_;
+  std::vector<ValueKeys> keys_;                    // of each value
+  std::vector<const sim2d::Scenario*> scenarios_;  // of the trials
   std::size_t value_ = 0;
   std::set<ProblemKey> toldOfText_, toldOfPath_;
   base::Diagnostics problems_;

@@ -204,6 +204,48 @@ class ExperimentCheckTest : public QObject {
              qPrintable(lines.join(QLatin1Char('\n'))));
   }
 
+  /// The later value would win in the runs that have both.
+  void valuesThatOverlap_areErrors_data() {
+    QTest::addColumn<QByteArray>("values");
+    QTest::addColumn<QString>("said");  // empty: none
+    const auto add = [](const char* values, const char* said) {
+      newRow(values) << QByteArray(values) << QString::fromLatin1(said);
+    };
+    add("  robot1: [{planner: dwa}, {planner: orca}]\n  robot1.planner: [pursuit]\n",
+        "5:3 error 'robot1.planner' and 'robot1' both set 'robot1.planner'");
+    add("  robot1.planner: [pursuit]\n  robot1: [{max_vel: 0.5}, {planner: dwa}]\n",
+        "5:3 error 'robot1' and 'robot1.planner' both set 'robot1.planner'");
+    add("  robot1: [{start: {x: 1.0, y: 1.0}}]\n  robot1.start.x: [2.0]\n",
+        "5:3 error 'robot1.start.x' and 'robot1' both set 'robot1.start.x'");
+    add("  robot1: [{start.x: 1.0}]\n  robot1.start.x: {range: [2.0, 3.0, 0.5]}\n",
+        "5:3 error 'robot1.start.x' and 'robot1' both set 'robot1.start.x'");
+    add("  robot1: [{planner: dwa, planner_parameters: {horizon: 1.0}}]\n"
+        "  robot1.planner_parameters: [{horizon: 2.0}]\n",
+        "5:3 error 'robot1.planner_parameters' and 'robot1' both set "
+        "'robot1.planner_parameters.horizon'");
+    add("  robot1.planner_parameters.horizon: [1.0]\n"
+        "  robot1: [{planner: dwa, planner_parameters: {}}]\n",
+        "5:3 error 'robot1' and 'robot1.planner_parameters.horizon' both set "
+        "'robot1.planner_parameters.horizon'");
+    add("  \"*.max_vel\": [1.0, 1.2]\n  anna.max_vel: [0.9]\n",
+        "5:3 error 'anna.max_vel' and '*.max_vel' both set '*.max_vel'");
+    add("  ben: [{max_vel: 0.9}]\n  \"*\": [{max_vel: 1.0, radius: 0.3}]\n",
+        "5:3 error '*' and 'ben' both set 'ben.max_vel'");
+    add("  \"*.max_vel\": [1.0, 1.2]\n  robot1.max_vel: [0.9]\n", "");
+    add("  \"*.max_vel\": [1.0, 1.2]\n  anna.radius: [0.3]\n", "");
+    add("  robot1: [{planner: dwa, planner_parameters: {horizon: 1.0}}]\n"
+        "  robot1.planner_parameters.clearance: [0.5]\n",
+        "");
+    add("  robot1.planner: [dwa, orca]\n  robot1.max_vel: [1.0]\n", "");
+  }
+  void valuesThatOverlap_areErrors() {
+    QFETCH(const QByteArray, values);
+    QFETCH(const QString, said);
+    const QStringList lines = linesOf(study("values:\n" + values).diagnostics());
+    QVERIFY2(lines.size() == (said.isEmpty() ? 0 : 1), qPrintable(lines.join(QLatin1Char('\n'))));
+    QVERIFY2(said.isEmpty() || lines.front().startsWith(said), qPrintable(lines.value(0)));
+  }
+
   void valuesBesideOtherOptions_areTaken_data() {
     QTest::addColumn<QByteArray>("text");
     for (const char* text :
