@@ -1,6 +1,7 @@
 #include "app/run/FileKind.h"
 
 #include "bt/robot/Nav2Files.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
 
 namespace app {
@@ -10,14 +11,17 @@ FileKind fileKindOf(const std::string& text) {
   if (first != std::string::npos && text[first] == '<') {
     return bt::looksLikeNavigatorTree(text) ? FileKind::NavigatorTree : FileKind::Tree;
   }
+  if (base::hasKeyLine(text, "hunav_loader")) {
+    return FileKind::Scenario;
+  }
   if (sim2d::nav2::looksLikeNav2(text)) {
     return FileKind::Nav2;
   }
-  if (text.find("hunavsim_experiment") != std::string::npos) {
+  if (base::hasKeyLine(text, "hunavsim_experiment")) {
     return FileKind::Experiment;
   }
-  const bool isAgents = text.find("ros__parameters") != std::string::npos;
-  return !isAgents && text.find("image:") != std::string::npos ? FileKind::Map : FileKind::Scenario;
+  const bool isAgents = base::hasKeyLine(text, "ros__parameters");
+  return !isAgents && base::hasKeyLine(text, "image") ? FileKind::Map : FileKind::Scenario;
 }
 
 }  // namespace app

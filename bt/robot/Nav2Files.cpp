@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -162,10 +164,21 @@ std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const TreePara
 }
 
 bool looksLikeNavigatorTree(const std::string& xml) {
-  return xml.find("ComputePath") != std::string::npos ||
-         xml.find("FollowPath") != std::string::npos ||
-         xml.find("DriveOnHeading") != std::string::npos ||
-         xml.find("<Spin") != std::string::npos || xml.find("<BackUp") != std::string::npos;
+  constexpr std::string_view kMarks[] = {"ComputePath", "FollowPath", "DriveOnHeading", "<Spin",
+                                         "<BackUp"};
+  std::string_view rest = xml;
+  while (!rest.empty()) {
+    const std::size_t comment = rest.find("<!--");
+    const std::string_view part = rest.substr(0, comment);
+    if (std::any_of(std::begin(kMarks), std::end(kMarks), [&](std::string_view mark) {
+          return part.find(mark) != std::string_view::npos;
+        })) {
+      return true;
+    }
+    const std::size_t end = comment == std::string_view::npos ? comment : rest.find("-->", comment);
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end);
+  }
+  return false;
 }
 
 NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& parameters) {

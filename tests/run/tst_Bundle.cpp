@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "app/run/Bundle.h"
+#include "app/run/FileKind.h"
 #include "sim2d/base/Text.h"
 
 namespace {
@@ -189,6 +190,39 @@ class BundleTest : public QObject {
     const app::Verdict verdict = app::check(bundleOf(), app::CheckDepth::Meaning);
     QVERIFY(verdict.world == nullptr);
     QVERIFY2(verdict.ok(), textOf(verdict.problems).c_str());
+  }
+
+  /// Comments and texts may mention the keys of other kinds.
+  void kindOfFile_isThatOfItsKeys_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("kind");
+    const auto row = [](const char* name, const char* text, app::FileKind kind) {
+      QTest::newRow(name) << QByteArray(text) << static_cast<int>(kind);
+    };
+    const char* const scenario = "hunav_loader:\n  ros__parameters:\n    agents: [anna]\n";
+    using Kind = app::FileKind;
+    row("scenario", scenario, Kind::Scenario);
+    const std::string before = std::string("# hunavsim_experiment: 1\n#image: a.pgm\n") + scenario;
+    row("scenario with a comment", before.c_str(), Kind::Scenario);
+    const std::string after = std::string(scenario) +
+                              "hunavsim_desktop:\n  ros__parameters:\n    card: {text: \"for "
+                              "hunavsim_experiment: 1\"}\n    # like amcl: of Nav2\n";
+    row("scenario with a text", after.c_str(), Kind::Scenario);
+    row("experiment", "# runs hunav_loader: files\nhunavsim_experiment: 1\nscenarios: [a.yaml]\n",
+        Kind::Experiment);
+    row("experiment in braces", "{hunavsim_experiment: 1, scenarios: [a.yaml]}", Kind::Experiment);
+    row("experiment in quotes", "\xEF\xBB\xBF\"hunavsim_experiment\" : 1\n", Kind::Experiment);
+    row("map", "# no ros__parameters: here, no hunavsim_experiment:\nimage: yard.pgm\n", Kind::Map);
+    row("Nav2", "# without hunav_loader: \namcl:\n  ros__parameters: {}\n", Kind::Nav2);
+    row("Nav2 with a namespace", "/**/controller_server:\n  ros__parameters: {}\n", Kind::Nav2);
+    row("other node", "# image: amcl:\nrobot:\n  ros__parameters: {}\n", Kind::Scenario);
+    row("tree", "<root><!-- no FollowPath --><BehaviorTree/><!-- <Spin/> --></root>", Kind::Tree);
+    row("tree of a robot", "<root><!-- a --><FollowPath/></root>", Kind::NavigatorTree);
+  }
+  void kindOfFile_isThatOfItsKeys() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const int, kind);
+    QCOMPARE(static_cast<int>(app::fileKindOf(text.toStdString())), kind);
   }
 };
 

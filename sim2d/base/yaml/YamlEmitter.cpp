@@ -188,6 +188,36 @@ std::string emitYaml(const YamlNode& node) {
   return out;
 }
 
+namespace {
+
+bool isInName(char c) {
+  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// Whether a key can follow these characters of its line: "  {", "\"/robot_1/", "/**/".
+bool isBeforeKey(std::string_view begin) {
+  const std::size_t at = begin.find_first_not_of(" \t\r{\"'\xEF\xBB\xBF");
+  const std::string_view space = at == std::string_view::npos ? "" : begin.substr(at);
+  return space.empty() ||
+         (space.back() == '/' && std::all_of(space.begin(), space.end(), [](char c) {
+            return isInName(c) || c == '/' || c == '*';
+          }));
+}
+
+}  // namespace
+
+bool hasKeyLine(std::string_view text, std::string_view key) {
+  for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
+    const std::size_t line = text.substr(0, at).rfind('\n') + 1;  // 0 in the first line
+    const std::size_t end = text.find_first_not_of(" \t\"'", at + key.size());
+    const bool isKey = end != std::string_view::npos && text[end] == ':';
+    if (isKey && isBeforeKey(text.substr(line, at - line))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 int countComments(std::string_view text) {
   CommentCounter counter;
   for (const std::string& line : split(text, '\n')) {

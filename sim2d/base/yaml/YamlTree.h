@@ -100,6 +100,10 @@ std::string quotedText(std::string_view text);
 /// Whether YAML would not read the plain text as this string.
 bool needsQuotes(std::string_view text);
 
+/// Whether a line of the text begins with this key, which may be indented, in quotes, or after a
+/// brace or a namespace ("/ns/amcl:"). The text may have errors of syntax; comments have no keys.
+bool hasKeyLine(std::string_view text, std::string_view key);
+
 /// Number of comments, excluding '#' in quotes and block scalars.
 int countComments(std::string_view text);
 

@@ -197,14 +197,14 @@ constexpr std::string_view kWellKnownNodes[] = {"controller_server",
 }  // namespace
 
 bool looksLikeNav2(std::string_view text) {
-  if (text.find("hunav_loader") != std::string_view::npos) {
+  if (base::hasKeyLine(text, "hunav_loader")) {
     return false;
   }
-  const bool hasParameters = text.find("ros__parameters") != std::string_view::npos;
+  const bool hasParameters = base::hasKeyLine(text, "ros__parameters");
   return std::any_of(
       std::begin(kWellKnownNodes), std::end(kWellKnownNodes), [&](std::string_view node) {
         const std::string block = std::string(node) + ":";  // ros__parameters is missing
-        return hasParameters ? text.find(node) != std::string_view::npos
+        return hasParameters ? base::hasKeyLine(text, node)
                              : text.substr(0, block.size()) == block ||
                                    text.find("\n" + block) != std::string_view::npos;
       });
