@@ -370,8 +370,9 @@ void warnOfTwice(const YamlNode& list, base::Diagnostics& warnings) {
   std::set<std::string> seen;
   for (std::size_t k = 0; list.isList() && k < list.items.size(); ++k) {
     const YamlNode& item = list.items[k];
-    if (item.isScalar() && !seen.insert(item.text).second) {
-      warnings.push_back(located(item, base::warning("experiment.twice", {item.text})));
+    const std::string text = valueText(item);
+    if (!seen.insert(text).second) {
+      warnings.push_back(located(item, base::warning("experiment.twice", {text})));
     }
   }
 }

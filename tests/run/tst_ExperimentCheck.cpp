@@ -380,6 +380,29 @@ class ExperimentCheckTest : public QObject {
              qPrintable(lines.join(QLatin1Char('\n'))));
   }
 
+  void textsListedTwice_areWarnedOf_data() {
+    QTest::addColumn<QByteArray>("values");
+    QTest::addColumn<QStringList>("said");
+    const auto add = [](const char* values, const QStringList& said) {
+      newRow(values) << QByteArray(values) << said;
+    };
+    add("  robot1: [{planner: dwa}, {planner: orca}, { \"planner\": dwa }]\n",
+        {QStringLiteral("4:45 warning '{planner: dwa}' is listed twice")});
+    add("  anna.goals: [[1, 2], [2, 1], [1,2]]\n",
+        {QStringLiteral("4:32 warning '[1, 2]' is listed twice")});
+    add("  robot1: [{planner: dwa}, {planner: dwa, max_vel: 0.5}]\n", {});
+    add("  robot1.planner: [dwa, dwa]\n", {QStringLiteral("4:25 warning 'dwa' is listed twice")});
+  }
+  void textsListedTwice_areWarnedOf() {
+    QFETCH(const QByteArray, values);
+    QFETCH(const QStringList, said);
+    const QStringList lines = linesOf(study("values:\n" + values).diagnostics());
+    QVERIFY2(lines.size() == said.size(), qPrintable(lines.join(QLatin1Char('\n'))));
+    for (int k = 0; k < said.size(); ++k) {
+      QVERIFY2(lines[k].startsWith(said[k]), qPrintable(lines[k]));
+    }
+  }
+
   /// Seeds that make no difference with any of the values.
   void seedsAlike_areWarnedOf_data() {
     QTest::addColumn<QByteArray>("text");
