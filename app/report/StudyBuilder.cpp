@@ -99,9 +99,10 @@ class StudyBuilder {
     study_.commonPrefixLength = commonPrefixLength(study_.results.runs);
     selectCompared();
     nameCases();
-    const std::string what = study_.compared.empty() ? "Batch results"
-                             : study_.compared == kScenario
-                                 ? "Scenarios compared"
+    const std::string what = study_.compared.empty()        ? "Batch results"
+                             : study_.compared == kScenario ? "Scenarios compared"
+                             : hasPlanners(study_.compared)
+                                 ? "Planners compared"
                                  : titleOf(shortPath(study_.compared)) + " compared";
     study_.title = what;
     return std::move(problems_);
@@ -113,7 +114,7 @@ class StudyBuilder {
     if (!word.empty() && word[0] >= 'a' && word[0] <= 'z') {
       word[0] = static_cast<char>(word[0] - 'a' + 'A');
     }
-    return word + (word == "Planner" || word == "Model" ? "s" : "");
+    return word + (word == "Model" ? "s" : "");
   }
 
   /// The index of a key given by the user; reports unknown keys.
@@ -201,11 +202,15 @@ class StudyBuilder {
     return !isDrawn(path) && distinct(column(path)).size() > 1;
   }
 
+  bool hasPlanners(const std::string& path) const {
+    return app::arePlanners(path, distinct(column(path)));
+  }
+
   std::string defaultComparedPath() const {
     const auto& paths = study_.results.paths;
     for (const bool wantsPlanner : {true, false}) {
       for (const std::string& path : paths) {
-        if ((!wantsPlanner || shortPath(path) == "planner") && isVaried(path)) {
+        if ((!wantsPlanner || hasPlanners(path)) && isVaried(path)) {
           return path;
         }
       }

@@ -204,15 +204,6 @@ const sim2d::Robot* firstRobotOf(const sim2d::Scenario& scenario) {
   return base::findBy(scenario.robots, &sim2d::Robot::listed, true);
 }
 
-/// Whether one of the texts of a value is a map with this key.
-bool isInMap(const ExperimentValue& value, const char* key) {
-  return std::any_of(value.texts.begin(), value.texts.end(), [&](const std::string& text) {
-    base::Diagnostics ignored;
-    const YamlNode node = base::parseYaml(text, {}, ignored);
-    return node.isMap() && node.find(key) != nullptr;
-  });
-}
-
 /// Whether a value sets what an option of all runs sets.
 bool isSetBy(const RunOption& option, const ExperimentValue& value,
              const sim2d::Scenario& scenario) {
@@ -222,7 +213,7 @@ bool isSetBy(const RunOption& option, const ExperimentValue& value,
   const sim2d::Robot* const robot = firstRobotOf(scenario);
   return option.robotSetting != nullptr && robot != nullptr &&
          (value.path == robot->name + "." + option.robotSetting ||
-          (value.path == robot->name && isInMap(value, option.robotSetting)));
+          (value.path == robot->name && isInMap(value.texts, option.robotSetting)));
 }
 
 /// Tries the values one after the other, and says what is wrong with them.

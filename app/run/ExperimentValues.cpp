@@ -298,18 +298,28 @@ std::string experimentValueText(const ExperimentValue& value) {
 
 namespace {
 
-/// Files without folder and extension; the items of a list joined by plus signs.
+/// The name of a file without folder and extension; other texts as they are.
+std::string shortWord(const std::string& text) {
+  const bool isOther = base::parseDouble(text) ||                         // 0.8
+                       text.find_first_of(" \t") != std::string::npos ||  // a command
+                       text.find(":=") != std::string::npos;              // a value of Nav2
+  const std::filesystem::path path(text);
+  if (isOther || !path.has_filename()) {
+    return text;
+  }
+  const std::string extension = path.extension().string();
+  const bool isVersion = extension.size() < 2 || base::isDigit(extension[1]);  // "v1.2"
+  return (isVersion ? path.filename() : path.stem()).string();
+}
+
+/// The items of a list joined by plus signs, the values of a map by commas.
 std::string wordInLabel(const YamlNode& node) {
-  if (node.isList()) {
-    std::vector<std::string> words;
-    std::transform(node.items.begin(), node.items.end(), std::back_inserter(words), wordInLabel);
-    return base::join(words, " + ");
+  if (node.isScalar()) {
+    return shortWord(node.text);
   }
-  if (!node.isScalar()) {
-    return valueText(node);
-  }
-  const std::filesystem::path path(node.text);
-  return (path.extension() == ".yaml" ? path.stem() : path.filename()).string();
+  std::vector<std::string> words;
+  std::transform(node.items.begin(), node.items.end(), std::back_inserter(words), wordInLabel);
+  return words.empty() ? valueText(node) : base::join(words, node.isMap() ? ", " : " + ");
 }
 
 std::string optionLabel(const std::string& text) {
@@ -321,10 +331,14 @@ std::string optionLabel(const std::string& text) {
   if (!problems.empty() || !map.isMap() || map.items.empty()) {
     return text;
   }
-  std::vector<std::string> others;
-  std::transform(map.items.begin() + 1, map.items.end(), std::back_inserter(others), wordInLabel);
-  const std::string first = wordInLabel(map.items.front());
-  return others.empty() ? first : first + " (" + base::join(others, ", ") + ")";
+  std::vector<std::string> words;
+  std::transform(map.items.begin(), map.items.end(), std::back_inserter(words), wordInLabel);
+  if (std::find(words.begin(), words.end(), "") != words.end()) {
+    return text;
+  }
+  const std::string first = words.front();
+  words.erase(words.begin());
+  return words.empty() ? first : first + " (" + base::join(words, ", ") + ")";
 }
 
 }  // namespace
@@ -335,6 +349,21 @@ std::vector<std::string> optionLabels(const std::vector<std::string>& texts) {
   std::transform(texts.begin(), texts.end(), std::back_inserter(labels), optionLabel);
   const std::set<std::string> different(labels.begin(), labels.end());
   return different.size() == labels.size() ? labels : texts;
+}
+
+bool isInMap(const std::vector<std::string>& texts, const char* key) {
+  return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+    base::Diagnostics ignored;
+    const YamlNode node =
+        base::startsWith(text, "{") ? base::parseYaml(text, {}, ignored) : YamlNode();
+    return node.isMap() && node.find(key) != nullptr;
+  });
+}
+
+bool arePlanners(const std::string& path, const std::vector<std::string>& texts) {
+  constexpr const char* kPlannerKey = "planner";
+  const std::string last = path.substr(path.rfind('.') + 1);  // the whole path if it has no dot
+  return last == kPlannerKey || isInMap(texts, kPlannerKey);
 }
 
 base::Diagnostic located(const YamlNode& node, base::Diagnostic problem) {

@@ -47,9 +47,14 @@ std::string experimentValueText(const ExperimentValue& value);
 
 /// The labels of the texts of a value in tables and figures. A map is labelled with its values,
 /// those after the first in brackets, files without folder and extension:
-/// "{planner: nav2, nav2_params: ../a.yaml}" becomes "nav2 (a)". Other texts are their own labels,
-/// and so are all of them if two labels would be equal.
+/// "{planner: nav2, nav2_params: ../a.yaml}" becomes "nav2 (a)". Commands keep their words. Other
+/// texts are their own labels, and so are all of them if two labels would be equal.
 std::vector<std::string> optionLabels(const std::vector<std::string>& texts);
+
+/// Whether one of these texts of a value is a map with this key.
+bool isInMap(const std::vector<std::string>& texts, const char* key);
+/// Whether the values of a path are planners: of a key `planner`, or maps with this key.
+bool arePlanners(const std::string& path, const std::vector<std::string>& texts);
 
 /// The problem with the line and column of a node.
 base::Diagnostic located(const base::YamlNode& node, base::Diagnostic problem);

@@ -83,6 +83,47 @@ class ReportPiecesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Planners may be in maps for the whole robot, after another varied path.
+  void compared_byDefault_areThePlanners_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("second");
+    QTest::addColumn<QString>("compared");
+    QTest::addColumn<QString>("title");
+    QTest::newRow("maps") << "robot1"
+                          << "{planner: orca}"
+                          << "robot1"
+                          << "Planners compared";
+    QTest::newRow("key") << "robot1.planner"
+                         << "orca"
+                         << "robot1.planner"
+                         << "Planners compared";
+    QTest::newRow("no planner") << "robot1"
+                                << "{max_vel: 0.5}"
+                                << "p01.max_vel"
+                                << "Max vel compared";
+  }
+  void compared_byDefault_areThePlanners() {
+    QFETCH(const QString, path);
+    QFETCH(const QString, second);
+    QFETCH(const QString, compared);
+    QFETCH(const QString, title);
+    const std::string first = second == QLatin1String("orca")             ? "dwa"
+                              : second.contains(QLatin1String("planner")) ? "{planner: dwa}"
+                                                                          : "{max_vel: 0.4}";
+    Study study = smallStudy();
+    study.results.runs.pop_back();
+    study.results.metrics[0].pop_back();
+    study.results.paths = {"p01.max_vel", path.toStdString()};
+    for (std::size_t run = 0; run < 4; ++run) {
+      study.results.runs[run].scenario = "hall.yaml";
+      study.results.runs[run].values = {run % 2 == 0 ? "1.0" : "1.2",
+                                        run < 2 ? first : second.toStdString()};
+    }
+    QVERIFY(selectCompared({}, study).empty());
+    QCOMPARE(QString::fromStdString(study.compared), compared);
+    QCOMPARE(QString::fromStdString(study.title), title);
+  }
+
   void escaped_whatXmlRefuses_isReplaced() {
     QCOMPARE(escaped("a<b>&\"'"), std::string("a&lt;b&gt;&amp;&quot;&#39;"));
     QCOMPARE(escaped("\xC3\xA4\xE2\x88\x92"), std::string("\xC3\xA4\xE2\x88\x92"));

@@ -227,6 +227,17 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QTRY_VERIFY(panel().message().contains(text("nobody")));
   }
 
+  void plannersInMaps_areCompared() {
+    const auto study = app::parseExperiment(
+        "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 3\nvalues:\n"
+        "  anna.max_vel: [1.0, 1.2]\n  robot1: [{planner: dwa}, {planner: orca}]\n",
+        study_->path(text("maps.yaml")).toStdString());
+    QVERIFY(study);
+    QCOMPARE(app::comparedPath(*study), text("robot1"));
+    QCOMPARE(app::sizeText(*study),
+             text("1 scenario × 2 anna.max_vel × 2 planners × 3 seeds = 12 runs"));
+  }
+
   void study_isRunAndCompared() {
     const QString path = study_->study();
     QVERIFY(panel().openFile(path));

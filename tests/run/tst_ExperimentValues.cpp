@@ -84,7 +84,17 @@ class ExperimentValuesTest : public QObject {
     row("[pursuit, a/b.yaml]", "pursuit|a/b.yaml");
     row("[{planner: dwa}, {planner: nav2, nav2_params: ../x/rpp.yaml}]", "dwa|nav2 (rpp)");
     row("[{nav2_params: [x/rpp.yaml, y.yaml], max_vel: 0.8}]", "rpp + y (0.8)");
-    row("[{start: {x: 1.0, h: 2.0}, mass: 4}]", "{x: 1.0, h: 2.0} (4)");
+    row("[{start: {x: 1.0, h: 2.0}, mass: 4}]", "1.0, 2.0 (4)");
+    row("[{planner: external, command: python3 my.py --dir /a/b}]",
+        "external (python3 my.py --dir /a/b)");
+    row("[{planner: external, command: /x/p/}, {planner: external, command: /x/go.sh}]",
+        "external (/x/p/)|external (go)");
+    row("[{planner: onnx, planner_parameters: {file: /tmp/rv/crossing_policy.onnx}}]",
+        "onnx (crossing_policy)");
+    row("[{planner: dwa, planner_parameters: {}}, {planner: ''}, {planner: library, v: 1.2.3}]",
+        "dwa ({})|{planner: \"\"}|library (1.2.3)");
+    row("[{nav2_params: [a/b.yaml, FollowPath.plugin:=nav2.Mppi], dt: 0.05}]",
+        "b + FollowPath.plugin:=nav2.Mppi (0.05)");
     row("[{file: a/p.yaml}, {file: b/p.yaml}]", "{file: a/p.yaml}|{file: b/p.yaml}");
     row("[{planner: nav2, nav2_params: a.yaml, max_vel: 0.8}]", "nav2 (a, 0.8)");
     row("['{no map']", "{no map");
@@ -95,6 +105,13 @@ class ExperimentValuesTest : public QObject {
     const auto value = valueOf("a: " + yaml.toStdString());
     QVERIFY(bool(value));
     QCOMPARE(QString::fromStdString(base::join(app::optionLabels(value->texts), "|")), labels);
+  }
+
+  void planners_areOfAKeyOrOfMaps() {
+    QVERIFY(app::arePlanners("robot1.planner", {"dwa", "orca"}));
+    QVERIFY(app::arePlanners("robot1", {"{max_vel: 1.0}", "{planner: dwa, max_vel: 1.0}"}));
+    QVERIFY(!app::arePlanners("robot1", {"{max_vel: 1.0}", "{planner_parameters: {}}"}));
+    QVERIFY(!app::arePlanners("p01.max_vel", {"1.0", "planner"}));
   }
 
   void range_steps_areTidy_data() {

@@ -86,7 +86,7 @@ QString comparedPath(const Experiment& experiment) {
     if (value.isDrawn() || value.texts.size() < 2) {
       continue;
     }
-    if (path.endsWith(QLatin1String(".planner"))) {
+    if (arePlanners(value.path, value.texts)) {
       return path;
     }
     first = first.isEmpty() ? path : first;
@@ -335,7 +335,7 @@ QString sizeText(const Experiment& experiment) {
   for (const ExperimentValue& value : experiment.values) {
     if (!value.isDrawn() && value.texts.size() > 1) {
       const QString path = QString::fromStdString(value.path);
-      parts.append(path.endsWith(QLatin1String(".planner"))
+      parts.append(arePlanners(value.path, value.texts)
                        ? QObject::tr("%1 planners").arg(value.texts.size())
                        : QStringLiteral("%1 %2").arg(value.texts.size()).arg(path));
     }
