@@ -377,7 +377,7 @@ class ReportProgramTest : public QObject {
     const QByteArray page = bytesOf(out + text("/report.html"));
     QVERIFY(page.contains("Drawn per scenario and seed"));
     QCOMPARE(unexpected(report(out, {text("--compare"), text("*.max_vel")}), 2,
-                        "is drawn again for each seed"),
+                        "is sampled again for each seed"),
              QString());
   }
 

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "app/run/OutputFolder.h"
 #include "tests/app/StudyFiles.h"
 
 using namespace outside;
@@ -248,6 +249,19 @@ class StudyTroublesTest : public QObject {
              QString());
     ::kill(again.pid(), SIGKILL);
     again.wait();
+  }
+
+  /// No batch runs there: the process that uses the folder is named.
+  void report_ofAFolderInUse_namesTheProcess() {
+    const QString out = folder_.path(text("used"));
+    QCOMPARE(runProgram(StudyFolder::words(folder_.writeStudy("used.yaml", "duration: 0.5\n"), out))
+                 .exitCode,
+             0);
+    const auto lock = app::FolderLock::acquire(out.toStdString());  // as another `report`
+    QVERIFY(bool(lock));
+    const QString user =
+        text("process %1 is writing results here").arg(QCoreApplication::applicationPid());
+    QCOMPARE(unexpected(runProgram("report %", {out}), 2, qPrintable(user)), QString());
   }
 
   /// What does not fit on the disk ends the batch with the reason; what fitted is kept.

@@ -41,8 +41,16 @@ std::vector<std::string> sensitivityOptions(const Study& study) {
           std::to_string(design.value("points", std::size_t{0}))};
 }
 
-/// Error if the batch is running, or has no results.csv because it was killed. Empty if there is no
-/// batch.
+/// Whether the manifest in the folder is that of a batch without runs left.
+bool isFinishedBatch(const std::string& folder) {
+  const base::Result<Manifest> manifest = readManifest(folder);
+  const auto json =
+      nlohmann::json::parse(manifest ? manifest->text : std::string(), nullptr, false);
+  return json.is_object() && json.value("status", nlohmann::json()) == "finished";
+}
+
+/// Error if the folder is in use, or the batch has no results.csv because it was killed. Empty if
+/// there is no batch.
 base::Diagnostics checkBatchFinished(const std::string& folder) {
   if (base::Diagnostics problems = completeCommit(folder); !problems.empty()) {
     return problems;
@@ -51,11 +59,12 @@ base::Diagnostics checkBatchFinished(const std::string& folder) {
     return {};
   }
   const base::Result<LockedResults> results = readResults(folder);
-  const bool isRunning = !results && results.diagnostics().front().code == "batch.locked";
-  if (entryExists(pathIn(folder, "results.csv")) && !isRunning) {
+  const bool isLocked = !results && results.diagnostics().front().code == "batch.locked";
+  if (entryExists(pathIn(folder, "results.csv")) && !isLocked) {
     return {};
   }
   if (!results) {
+    const bool isRunning = isLocked && !isFinishedBatch(folder);  // otherwise of another command
     return isRunning ? base::Diagnostics{base::error("report.batch-runs", {}, folder)}
                      : results.diagnostics();
   }
