@@ -402,6 +402,9 @@ base::Result<LockedResults> readResults(const std::string& folder) {
 }
 
 std::optional<std::string> experimentFileOf(const std::string& named, const std::string& folder) {
+  if (named == kStandardInput) {
+    return std::nullopt;
+  }
   std::error_code ignored;
   for (const fs::path& base : {fs::path(), fs::path(folder), fs::path(folder) / ".."}) {
     if (!named.empty() && fs::is_regular_file(base / named, ignored)) {

@@ -196,6 +196,7 @@ void MainWindow::connectFiles() {
   connect(startPage_, &StartPage::fileRequested, files, &FileCommands::openFile);
   StudyPanel& study = docks_->panel<StudyPanel>();
   askBeforeExternalCode(study, *notices_);
+  files_->setStudyCheck([&study] { return study.isRunning(); });
   connect(&study, &StudyPanel::openRunRequested, this,
           [files](const QString& run, bool isTemporary) {
             if (files->maybeSave()) {

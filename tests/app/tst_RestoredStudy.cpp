@@ -115,6 +115,40 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->files().problems().front().code == "batch.no-experiment");
   }
 
+  void open_batchFromStandardInput_isRefusedWithTheReason() {
+    const QString out = study_->path(text("piped"));
+    QProcess program;
+    program.setWorkingDirectory(study_->path({}));
+    program.setStandardInputFile(finished());
+    program.start(text(HUNAVSIM_PROGRAM), {text("batch"), text("-"), text("-o"), out});
+    QVERIFY(program.waitForFinished(kLong));
+    QCOMPARE(program.exitCode(), 0);
+    writeText(study_->path(text("-")), "hunavsim_experiment: 1\n");  // not the experiment
+    for (const bool hasDatabase : {true, false}) {
+      QVERIFY(hasDatabase || QFile::remove(out + text("/results.sqlite")));
+      QVERIFY(!window_->files().openFile(out));
+      QVERIFY(window_->files().problems().front().code == "batch.piped-experiment");
+    }
+  }
+
+  void open_whileAStudyRuns_isRefusedBeforeAnythingChanges() {
+    const QString other = finished(), file = study_->endless(1);
+    QVERIFY(panel().openFile(file));
+    panel().start();
+    QVERIFY(panel().isRunning());
+    QSignalSpy recent(&window_->files(), &app::FileCommands::recentChanged);
+    for (const QString& path : {other, study_->path(text("done_results"))}) {
+      QVERIFY(!window_->files().openFile(path));
+      QVERIFY(window_->files().problems().front().code == "study.running");
+    }
+    QCOMPARE(recent.size(), 0);
+    QCOMPARE(panel().file(), file);
+    panel().stop();
+    waitForEnd();
+    QVERIFY(window_->files().openFile(other));
+    QCOMPARE(panel().file(), other);
+  }
+
   void open_killedStudy_showsWhatIsFinished() {
     const QString file = study_->study();
     const QString out = study_->path(text("study_results"));

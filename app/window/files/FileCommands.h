@@ -27,6 +27,8 @@ class FileCommands : public QObject {
     options_ = options;
     compatibility_ = compatibility;
   }
+  /// While a study is running, no other study is opened.
+  void setStudyCheck(std::function<bool()> isRunning) { isStudyRunning_ = std::move(isRunning); }
   /// Opens a scenario, a map (for a new scenario), the folder of a recorded run, third-party
   /// trajectories, an experiment, the results of `batch`, `tune`, `gate`, `sensitivity` or
   /// `search`, or a tree for the selected people. False: the file could not be read completely; see
@@ -118,6 +120,7 @@ class FileCommands : public QObject {
   bool openTracks(const QString& path);
   bool openStudyResults(const QString& path);
   bool openExperiment(const QString& file, const QString& shown);
+  bool refuseStudy(const QString& path);  // false
   void showRun(const RecordedRun& run, const QString& path, const QString& name,
                std::function<editor::RunRequest()> again);
   void remember(const QString& run);  // among the recent files
@@ -134,6 +137,7 @@ class FileCommands : public QObject {
   QWidget& window_;
   RunSpec options_;
   sim2d::Compatibility compatibility_;
+  std::function<bool()> isStudyRunning_ = [] { return false; };
   base::Diagnostics problems_;
   std::optional<base::Diagnostic> truncationOfRun_;
   QString previousDocument_, scenarioOfRun_;  // files; while a recorded run is displayed

@@ -4,6 +4,7 @@
 #include "app/report/StudyOutput.h"
 #include "app/run/Experiment.h"
 #include "app/window/files/FileCommands.h"
+#include "app/window/study/StudyProcess.h"
 
 namespace app {
 
@@ -33,6 +34,9 @@ bool FileCommands::openCapsule(const QString& path) {
   if (!study) {
     return showProblems(study.diagnostics());
   }
+  if (study->isBatch && isStudyRunning_()) {
+    return refuseStudy(path);
+  }
   const QFileInfo experiment(QString::fromStdString(study->experiment));
   const QString results = study->isBatch
                               ? experiment.absoluteDir().filePath(experiment.completeBaseName() +
@@ -60,7 +64,10 @@ bool FileCommands::openCapsule(const QString& path) {
 /// document stays open; if there is none, the first scenario is opened.
 bool FileCommands::openExperiment(const QString& file, const QString& shown) {
   if (file.isEmpty()) {
-    return showProblems({base::error("batch.no-experiment", {}, shown.toStdString())});
+    return showProblems({missingExperimentOf(shown)});
+  }
+  if (isStudyRunning_()) {
+    return refuseStudy(shown);
   }
   const base::Result<Experiment> experiment = readExperiment(file.toStdString());
   if (!experiment) {
@@ -75,8 +82,15 @@ bool FileCommands::openExperiment(const QString& file, const QString& shown) {
   return true;
 }
 
+bool FileCommands::refuseStudy(const QString& path) {
+  return showProblems({base::error("study.running", {}, path.toStdString())});
+}
+
 /// The document stays open.
 bool FileCommands::openStudyResults(const QString& path) {
+  if (isStudyRunning_()) {
+    return refuseStudy(path);
+  }
   const base::Result<report::StudyOutput> results =
       report::readStudyOutput(*report::studyOutputFile(path.toStdString()));
   if (!results) {

@@ -13,6 +13,7 @@
 #include "app/report/Study.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/DataPaths.h"
+#include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -250,6 +251,12 @@ QString experimentOfBatch(const QString& folder) {
   return QString::fromStdString(
       experimentFileOf(writtenExperimentOf(folder).toStdString(), folder.toStdString())
           .value_or(std::string()));
+}
+
+base::Diagnostic missingExperimentOf(const QString& folder) {
+  const bool isPiped = writtenExperimentOf(folder) == QLatin1String(kStandardInput);
+  return base::error(isPiped ? "batch.piped-experiment" : "batch.no-experiment", {},
+                     folder.toStdString());
 }
 
 QString resumeObstacle(const QString& folder, const std::string& experiment) {

@@ -57,6 +57,8 @@ RestoredStudy restoredStudyIn(const QString& folder);
 bool isBatchFolder(const QString& folder);
 /// The experiment file of the batch in the folder; empty: not found (see experimentFileOf).
 QString experimentOfBatch(const QString& folder);
+/// Why there is no such file.
+base::Diagnostic missingExperimentOf(const QString& folder);
 
 /// The reason why this experiment cannot be resumed with the results in the folder. Empty: it can,
 /// or there are no results.
