@@ -35,7 +35,7 @@ bool concernsPlanner(const std::string& path, const std::string& text) {
 
 bool isAmong(const base::Diagnostics& problems, const base::Diagnostic& problem) {
   return std::any_of(problems.begin(), problems.end(), [&](const base::Diagnostic& other) {
-    return other.code == problem.code && other.message == problem.message;
+    return other.code == problem.code && other.values == problem.values;
   });
 }
 
