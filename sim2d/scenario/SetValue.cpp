@@ -142,7 +142,7 @@ bool endsWithKey(std::string_view path, std::string_view end) {
 }
 
 /// In dialect C a type is a name; a number would trigger the conversion of older formats.
-bool isNumber(const YamlNode& type) {
+bool isNumberedType(const YamlNode& type) {
   return !type.isScalar() || base::parseDouble(type.text);
 }
 
@@ -157,7 +157,7 @@ base::Diagnostics errorOfType(const std::string& path, const std::string& text,
   }
   const bool isMap = behavior == path && value.isMap();
   const YamlNode* const type = isMap ? value.find("type") : &value;
-  if (type == nullptr || !isNumber(*type)) {
+  if (type == nullptr || !isNumberedType(*type)) {
     return {};
   }
   return {
