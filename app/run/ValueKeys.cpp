@@ -28,13 +28,15 @@ void addLeaves(const KeyPath& path, const base::YamlNode& node, std::set<KeyPath
   }
 }
 
-bool isSameEntity(const std::string& one, const std::string& other,
+/// Whether a value of `later` is set for all that a value of `earlier` is set for. A value of one
+/// person leaves those of the others.
+bool coversEntity(const std::string& later, const std::string& earlier,
                   const std::vector<const sim2d::Scenario*>& scenarios) {
-  if (one == other || (one != "*" && other != "*")) {
-    return one == other;
+  if (later == earlier || later != "*") {
+    return later == earlier;
   }
   return std::any_of(scenarios.begin(), scenarios.end(), [&](const sim2d::Scenario* scenario) {
-    const sim2d::Human* const human = scenario->human(one == "*" ? other : one);
+    const sim2d::Human* const human = scenario->human(earlier);
     return human != nullptr && human->listed;
   });
 }
@@ -73,7 +75,7 @@ std::string replacedKey(const ValueKeys& earlier, const ValueKeys& later,
   for (const KeyPath& leaf : earlier.leaves) {
     for (const KeyPath& top : later.replaced) {
       if (top.size() <= leaf.size() && std::equal(top.begin() + 1, top.end(), leaf.begin() + 1) &&
-          isSameEntity(top.front(), leaf.front(), scenarios)) {
+          coversEntity(top.front(), leaf.front(), scenarios)) {
         return base::join(leaf, ".");
       }
     }

@@ -19,7 +19,7 @@ struct ValueKeys {
 ValueKeys keysOf(const ExperimentValue& value);
 
 /// A key of `earlier` that `later` replaces in one of the scenarios, "robot1.planner"; empty: there
-/// is none. `*` is each listed person.
+/// is none. `*` is each listed person; a later value of one person does not replace it.
 std::string replacedKey(const ValueKeys& earlier, const ValueKeys& later,
                         const std::vector<const sim2d::Scenario*>& scenarios);
 
