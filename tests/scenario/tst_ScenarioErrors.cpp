@@ -56,7 +56,8 @@ class ScenarioErrorsTest : public QObject {
   void read_fileOfAnotherKind_saysWhatItIs_data() {
     addColumns<QByteArray, QByteArray>({"text", "said"});
     QTest::newRow("experiment") << QByteArray("hunavsim_experiment: 1\nscenarios: [yard.yaml]\n")
-                                << QByteArray("f.yaml:1:1: error: this is an experiment, not a scenario");
+                                << QByteArray(
+                                       "f.yaml:1:1: error: this is an experiment, not a scenario");
     QTest::newRow("map") << QByteArray("image: yard.pgm\nresolution: 0.05\n")
                          << QByteArray("f.yaml:1:1: error: this is a map, not a scenario");
     QTest::newRow("nav2") << QByteArray(
