@@ -11,6 +11,7 @@
 #include "app/run/RunFolder.h"
 #include "app/run/TreeCoverage.h"
 #include "sim2d/base/JsonText.h"
+#include "sim2d/base/SystemError.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -52,7 +53,7 @@ base::Result<NumberedRuns> numberedRuns(const std::string& runs) {
     }
   }
   if (error) {
-    return base::error("file.cannot-read", {error.message()}, runs);
+    return base::error("file.cannot-read", {base::systemErrorMessage(error)}, runs);
   }
   return found;
 }

@@ -8,6 +8,7 @@
 #include "app/run/BatchFolder.h"
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Files.h"
+#include "sim2d/base/SystemError.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -126,7 +127,7 @@ base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
     }
   }
   if (error && error != std::errc::no_such_file_or_directory) {
-    return {base::error("file.cannot-read", {error.message()}, runs.string())};
+    return {base::error("file.cannot-read", {base::systemErrorMessage(error)}, runs.string())};
   }
   std::stable_partition(files.begin(), files.end(),
                         [](const fs::path& file) { return file.filename() != "trace.json"; });

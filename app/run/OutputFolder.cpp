@@ -20,6 +20,7 @@
 
 #include "app/run/ManifestFiles.h"
 #include "sim2d/base/JsonText.h"
+#include "sim2d/base/SystemError.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -59,7 +60,7 @@ base::Diagnostics moveToFinalPath(const std::string& folder, const std::string& 
   std::error_code error;
   fs::create_directories(fs::path(to).parent_path(), error);
   if (error) {
-    return {base::error("file.cannot-make-folder", {error.message()},
+    return {base::error("file.cannot-make-folder", {base::systemErrorMessage(error)},
                         fs::path(to).parent_path().string())};
   }
   const std::string from = pathIn(pathIn(folder, FolderLock::kCommitFolder), name);
@@ -139,8 +140,8 @@ base::Result<std::unique_ptr<FolderLock>> FolderLock::createAndAcquire(const std
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || !fs::is_directory(folder, error)) {
-    return base::error("file.cannot-make-folder", {error ? error.message() : std::string()},
-                       folder);
+    return base::error("file.cannot-make-folder",
+                       {error ? base::systemErrorMessage(error) : std::string()}, folder);
   }
   if (::access(folder.c_str(), W_OK) != 0) {
     return base::error("file.no-permission", {}, folder);
@@ -172,7 +173,7 @@ base::Result<std::vector<std::string>> filesBelow(const std::string& folder) {
     }
   }
   if (error) {
-    return base::error("file.cannot-read", {error.message()}, folder);
+    return base::error("file.cannot-read", {base::systemErrorMessage(error)}, folder);
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -321,7 +322,8 @@ base::Result<std::unique_ptr<OutputFolder>> OutputFolder::open(const std::string
   std::error_code error;
   fs::create_directory(output->staging_, error);
   if (error) {
-    return base::error("file.cannot-make-folder", {error.message()}, output->staging_);
+    return base::error("file.cannot-make-folder", {base::systemErrorMessage(error)},
+                       output->staging_);
   }
   base::Result<Manifest> former = readManifest(folder, manifest);
   if (!former) {

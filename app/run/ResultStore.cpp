@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <new>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -78,6 +79,9 @@ ResultStore::~ResultStore() {
 }
 
 base::Diagnostics ResultStore::sqliteError(const char* code) const {
+  if (sqlite3_errcode(database_) == SQLITE_NOMEM) {
+    throw std::bad_alloc();
+  }
   return {base::error(code, {sqlite3_errmsg(database_)}, path_)};
 }
 

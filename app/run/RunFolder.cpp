@@ -15,6 +15,7 @@
 #include "metrics/Report.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/JsonText.h"
+#include "sim2d/base/SystemError.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/onnx/PolicyNetwork.h"
@@ -281,7 +282,7 @@ base::Diagnostics removeRunFolder(const std::string& runFolder) {
     }
   }
   if (error) {
-    return {base::error("file.cannot-read", {error.message()}, runFolder)};
+    return {base::error("file.cannot-read", {base::systemErrorMessage(error)}, runFolder)};
   }
   // without trace.json no reader accepts the rest as a run
   std::stable_partition(names.begin(), names.end(),
@@ -289,7 +290,8 @@ base::Diagnostics removeRunFolder(const std::string& runFolder) {
   for (const std::string& name : names) {
     fs::remove_all(pathIn(runFolder, name), error);
     if (error) {
-      return {base::error("file.cannot-remove", {error.message()}, pathIn(runFolder, name))};
+      return {base::error("file.cannot-remove", {base::systemErrorMessage(error)},
+                          pathIn(runFolder, name))};
     }
   }
   fs::remove(runFolder, error);  // only if empty

@@ -9,6 +9,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/ManifestFiles.h"
 #include "sim2d/base/Find.h"
+#include "sim2d/base/SystemError.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/external/CommandLine.h"
@@ -59,7 +60,8 @@ base::Result<GateSide> sideOfFolder(GateSide side) {
     }
   }
   if (error) {
-    problems.push_back(base::error("file.cannot-read", {error.message()}, side.text));
+    problems.push_back(
+        base::error("file.cannot-read", {base::systemErrorMessage(error)}, side.text));
   } else if (side.scenarios.empty() && problems.empty()) {
     problems.push_back(base::error("gate.no-scenarios-in-folder", {}, side.text));
   }

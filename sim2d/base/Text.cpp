@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "sim2d/base/Files.h"
+#include "sim2d/base/SystemError.h"
 
 namespace base {
 namespace {
@@ -83,7 +84,8 @@ Diagnostic tooLarge(const std::string& path, std::size_t most) {
 }
 
 Diagnostic unreadable(const std::string& path, int error) {
-  return base::error("file.cannot-read", {std::generic_category().message(error)}, path);
+  return base::error("file.cannot-read", {systemErrorMessage({error, std::generic_category()})},
+                     path);
 }
 
 /// Reads to the end; `expected`: probable size [bytes].

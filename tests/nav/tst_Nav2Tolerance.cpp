@@ -151,7 +151,7 @@ planner_server:
     QCOMPARE(
         texts(file.diagnostics()),
         std::string("p.yaml:5:8: warning: an alias (*name) is replaced by its value; ROS 2's own "
-                    "parser refuses aliases, launch tools replace them\n"));
+                    "parser rejects aliases, launch tools replace them\n"));
     const NodeParameters planner = file->parametersOf("planner_server");
     QCOMPARE(valueOf(planner, "a"), std::string("7"));  // its own wins
     QCOMPARE(valueOf(planner, "b.d"), std::string("3"));

@@ -254,7 +254,7 @@ void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
          "launch files replace\n";
   QTest::newRow("aliases") << "nav2_aliases"
                            << ":16:11: warning: an alias (*name) is replaced by its value; ROS 2's "
-                              "own parser refuses aliases, launch tools replace them\n";
+                              "own parser rejects aliases, launch tools replace them\n";
   QTest::newRow("namespaces, documents")
       << "nav2_namespaces"
       << ":10:1: warning: a second document (---): its nodes are read after those of the first, as "
