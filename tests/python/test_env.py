@@ -97,7 +97,7 @@ class ObservationTest(unittest.TestCase):
 class PolicyMetadataTest(unittest.TestCase):
     def test_options_are_those_of_the_environment(self):
         options = dict(beams=8, people=3, grid_cells=40, grid_resolution=0.2, repeat=2)
-        wanted = {"format": 1, "actions": 2, **options}
+        wanted = {"format": 1, "actions": 2, "dt": 0.05, **options}
         single = environments.CrowdEnv(scene(), variation=None, **options)
         several = environments.CrowdVectorEnv(2, scene(), variation=None, **options)
         agents = environments.CrowdParallelEnv(scene(TWO_ROBOTS), variation=None, **options)
