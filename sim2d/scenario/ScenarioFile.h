@@ -36,7 +36,7 @@ ScenarioCard cardOf(const std::string& text);
 ScenarioReading readValidPart(const std::string& path);
 
 /// Adds line numbers to diagnostics: those about an entity get the line of its block, and all with
-/// a line get the file `path` and the column of that line's key.
+/// a line get the file `path` (another one moves into the message) and the column of that key.
 void addLocations(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
                   const std::string& path);
 

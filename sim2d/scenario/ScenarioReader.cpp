@@ -387,6 +387,10 @@ void addLocations(base::Diagnostics& diagnostics, const std::map<EntityId, int>&
       continue;  // a line of another file
     }
     addEntityLocation(said, lines, keys);
+    if (said.line > 0 && !said.file.empty() && said.file != path) {
+      const std::string other = said.file;
+      said = base::withContext(other, std::move(said));
+    }
     said.file = said.line > 0 ? path : said.file;
     const auto line = static_cast<std::size_t>(said.line);
     if (text && said.column == 0 && said.line > 0 && line <= texts.size()) {
