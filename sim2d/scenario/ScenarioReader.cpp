@@ -373,6 +373,16 @@ ScenarioReading readValidPart(const std::string& path) {
   return reading;
 }
 
+namespace {
+
+/// Whether the message contains the name of the problem's file, or there is none.
+bool namesFile(const base::Diagnostic& problem) {
+  const std::string name = problem.file.substr(problem.file.rfind('/') + 1);
+  return problem.message.find(name) != std::string::npos;
+}
+
+}  // namespace
+
 void addLocations(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
                   const std::string& path) {
   if (diagnostics.empty()) {
@@ -387,7 +397,7 @@ void addLocations(base::Diagnostics& diagnostics, const std::map<EntityId, int>&
       continue;  // a line of another file
     }
     addEntityLocation(said, lines, keys);
-    if (said.line > 0 && !said.file.empty() && said.file != path) {
+    if (said.line > 0 && said.file != path && !namesFile(said)) {
       const std::string other = said.file;
       said = base::withContext(other, std::move(said));
     }
