@@ -375,10 +375,13 @@ ScenarioReading readValidPart(const std::string& path) {
 
 namespace {
 
-/// Whether the message contains the name of the problem's file, or there is none.
+/// Whether the problem has no file, or one of its values is the file's name.
 bool namesFile(const base::Diagnostic& problem) {
   const std::string name = problem.file.substr(problem.file.rfind('/') + 1);
-  return problem.message.find(name) != std::string::npos;
+  return name.empty() ||
+         std::any_of(problem.values.begin(), problem.values.end(), [&](const auto& value) {
+           return value.second.substr(value.second.rfind('/') + 1) == name;
+         });
 }
 
 }  // namespace
