@@ -86,7 +86,7 @@ class OnnxPlannerTest : public QObject {
 
   /// The library would exhaust the stack when it writes such a value.
   void metadata_deep_isAnError() {
-    for (const std::size_t depth : {10, 1000, 1000000}) {
+    for (const std::size_t depth : {10U, 1000U, 1000000U}) {
       std::string text = stateMetadata();
       text.replace(text.find(": 0"), 3, ": " + std::string(depth, '[') + std::string(depth, ']'));
       QVERIFY(base::hasErrors(parsePolicyMetadata(text, "policy.onnx").diagnostics()));
