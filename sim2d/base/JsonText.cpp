@@ -4,9 +4,8 @@
 
 namespace base {
 
-std::string_view shallowJson(std::string_view json) {
-  constexpr int kMaxDepth = 200;
-  int depth = 0;
+std::string_view shallowJson(std::string_view json, int depth) {
+  int level = 0;
   bool isInString = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const char c = json[i];
@@ -16,11 +15,11 @@ std::string_view shallowJson(std::string_view json) {
     } else if (c == '"') {
       isInString = true;
     } else if (c == '[' || c == '{') {
-      if (++depth > kMaxDepth) {
+      if (++level > depth) {
         return json.substr(0, i);
       }
     } else if (c == ']' || c == '}') {
-      --depth;
+      --level;
     }
   }
   return json;

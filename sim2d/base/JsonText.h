@@ -17,10 +17,12 @@ std::string jsonText(const Json& json, int indent = 2) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The beginning of a JSON text up to where it nests deeper than any file of this program (200
-/// levels), which is the whole text of valid files. Parse foreign texts through it: functions of
-/// the library that copy, compare or write values are recursive and would exhaust the stack.
-std::string_view shallowJson(std::string_view json);
+constexpr int kMaxJsonDepth = 200;  // no file of this program nests deeper
+
+/// The text up to the first bracket that nests deeper than `depth`; the whole text if there is
+/// none. JSON from files and connections is parsed through it, and is not valid if it was cut: the
+/// functions of the library that copy, compare or write values are recursive.
+std::string_view shallowJson(std::string_view json, int depth = kMaxJsonDepth);
 
 /// A number; null if it is NaN or infinite, which JSON does not have.
 template <class Json>

@@ -158,35 +158,13 @@ ClientRequest requestOf(const RequestJson& object) {
   return request::Refused{"unknown operation '" + op + "'"};
 }
 
-/// Limits the nesting depth before parsing.
-bool isFlat(std::string_view json) {
-  int depth = 0;
-  bool isText = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (isText) {
-      i += c == '\\' ? 1 : 0;
-      isText = c != '"';
-    } else if (c == '"') {
-      isText = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kDeepest) {
-        return false;
-      }
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 ClientRequest requestOfText(std::string_view message) {
-  if (!isFlat(message)) {
+  if (base::shallowJson(message, kDeepest).size() < message.size()) {
     return request::Refused{"brackets are nested too deeply"};
   }
-  const RequestJson object = RequestJson::parse(base::shallowJson(message), nullptr, false);
+  const RequestJson object = RequestJson::parse(message, nullptr, false);
   if (!object.is_object()) {
     return request::Refused{"a text message must be a JSON object"};
   }

@@ -32,7 +32,7 @@ struct ReportOptions {
 
 /// The options of `sensitivity` that give a study its design; empty: it has none.
 std::vector<std::string> sensitivityOptions(const Study& study) {
-  const auto design = nlohmann::json::parse(study.design, nullptr, false);
+  const auto design = nlohmann::json::parse(base::shallowJson(study.design), nullptr, false);
   if (!design.is_object() || study.shard.count > 1) {
     return {};
   }
@@ -44,8 +44,8 @@ std::vector<std::string> sensitivityOptions(const Study& study) {
 /// Whether the manifest in the folder is that of a batch without runs left.
 bool isFinishedBatch(const std::string& folder) {
   const base::Result<Manifest> manifest = readManifest(folder);
-  const auto json =
-      nlohmann::json::parse(manifest ? manifest->text : std::string(), nullptr, false);
+  const std::string text = manifest ? manifest->text : std::string();
+  const auto json = nlohmann::json::parse(base::shallowJson(text), nullptr, false);
   return json.is_object() && json.value("status", nlohmann::json()) == "finished";
 }
 
