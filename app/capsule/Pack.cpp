@@ -119,7 +119,7 @@ base::Diagnostics testArchive(const std::string& file, const std::string& shown,
 }  // namespace
 
 base::Result<PackedStudy> packStudy(const PackOptions& options) {
-  const base::Result<StudySource> source = readStudySource(options.study, options.loader);
+  const base::Result<StudySource> source = readStudySource(options.study);
   if (!source) {
     return source.diagnostics();
   }

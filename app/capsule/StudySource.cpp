@@ -11,7 +11,6 @@
 
 #include "app/capsule/InputTree.h"
 #include "app/run/BatchFolder.h"
-#include "app/run/Bundle.h"
 #include "app/run/Experiment.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/OutputFolder.h"
@@ -74,15 +73,11 @@ base::Diagnostics addRunFiles(const std::string& study, std::set<std::string>& n
 }
 
 /// Programs and libraries that runs of the experiment start.
-std::set<std::string> codeFilesOf(const app::Experiment& experiment,
-                                  const sim2d::ImageLoader& loader) {
+std::set<std::string> codeFilesOf(const app::Experiment& experiment) {
   std::set<std::string> files;
-  for (const std::string& path : experiment.scenarioPaths) {
-    app::RunSpec spec = experiment.common;
-    spec.scenario = path;
-    const app::Bundle bundle = app::readBundle(spec, {}, loader);
-    for (const app::ExternalCode& code : app::externalCodeOf(experiment, *bundle.scenario)) {
-      if (const auto file = app::codeFileOf(code, bundle.path)) {
+  for (std::size_t k = 0; k < experiment.scenarioPaths.size(); ++k) {
+    for (const app::ExternalCode& code : app::externalCodeOf(experiment, k)) {
+      if (const auto file = app::codeFileOf(code, experiment.scenarioPaths[k])) {
         std::error_code ignored;
         files.insert(fs::absolute(*file, ignored).lexically_normal().string());
       }
@@ -100,7 +95,7 @@ base::Diagnostics addInput(const app::InputHash& recorded, StudySource& source) 
   return {};
 }
 
-base::Diagnostics readBatch(const sim2d::ImageLoader& loader, StudySource& source) {
+base::Diagnostics readBatch(StudySource& source) {
   const base::Result<app::LockedResults> results = app::readResults(source.folder);
   if (!results) {
     return results.diagnostics();
@@ -123,8 +118,7 @@ base::Diagnostics readBatch(const sim2d::ImageLoader& loader, StudySource& sourc
     base::append(problems, addInput(study.inputs[k], source));
   }
   const base::Result<app::Experiment> parsed = app::parseExperiment(study.experiment, experiment);
-  const std::set<std::string> code =
-      parsed ? codeFilesOf(*parsed, loader) : std::set<std::string>();
+  const std::set<std::string> code = parsed ? codeFilesOf(*parsed) : std::set<std::string>();
   for (SourceInput& input : source.inputs) {
     input.isCode = code.count(input.path) != 0;
   }
@@ -200,8 +194,7 @@ base::Diagnostics readSingleRun(const app::Manifest& manifest, StudySource& sour
 
 }  // namespace
 
-base::Result<StudySource> readStudySource(const std::string& folder,
-                                          const sim2d::ImageLoader& loader) {
+base::Result<StudySource> readStudySource(const std::string& folder) {
   base::Diagnostics problems = app::completeCommit(folder);
   const base::Result<app::Manifest> manifest = app::readManifest(folder);
   base::append(problems, manifest.diagnostics());
@@ -218,7 +211,7 @@ base::Result<StudySource> readStudySource(const std::string& folder,
   if (!source.isBatch && !isRun) {
     return base::error("capsule.no-study", {}, folder);
   }
-  problems = source.isBatch ? readBatch(loader, source) : readSingleRun(*manifest, source);
+  problems = source.isBatch ? readBatch(source) : readSingleRun(*manifest, source);
   if (source.finished < source.runs) {
     problems.push_back(base::warning("capsule.incomplete", {source.finished, source.runs}, folder));
   }

@@ -6,7 +6,6 @@
 
 #include "app/run/ManifestFiles.h"
 #include "sim2d/base/Result.h"
-#include "sim2d/map/MapReader.h"
 
 namespace capsule {
 
@@ -31,7 +30,6 @@ struct StudySource {
 
 /// Reads the folder. All problems are reported. Errors: not a finished run or a batch, in use,
 /// files of it or inputs that have changed, a run that continues another one.
-base::Result<StudySource> readStudySource(const std::string& folder,
-                                          const sim2d::ImageLoader& loader);
+base::Result<StudySource> readStudySource(const std::string& folder);
 
 }  // namespace capsule

@@ -45,14 +45,6 @@ base::Diagnostics ExperimentRunner::errorsOfFirstRun(std::size_t scenario) {
   return problems;
 }
 
-base::Diagnostics ExperimentRunner::codeProblems(std::size_t scenario,
-                                                 base::Severity severity) const {
-  const std::string& path = experiment_.scenarioPaths[scenario];
-  sim2d::Scenario withoutValues = sim2d::readScenario(path).scenario;
-  applyOptions(withoutValues, experiment_.common, {});
-  return externalCodeProblems(externalCodeOf(experiment_, withoutValues), severity, path);
-}
-
 base::Diagnostics ExperimentRunner::check(base::Severity codeSeverity, Checked checked) {
   base::Diagnostics problems;
   OptionCheck options(experiment_);
@@ -60,7 +52,8 @@ base::Diagnostics ExperimentRunner::check(base::Severity codeSeverity, Checked c
     const base::Diagnostics errors = errorsOfFirstRun(k);
     base::append(problems, errors);
     if (!experiment_.allowCode) {
-      base::append(problems, codeProblems(k, codeSeverity));
+      base::append(problems, externalCodeProblems(externalCodeOf(experiment_, k), codeSeverity,
+                                                  experiment_.scenarioPaths[k]));
     }
     if (checked == Checked::AllOptions) {
       base::append(problems, options.errorsIn(k, errors, reader_));
@@ -232,10 +225,11 @@ class ExternalCodeSearch {
 
 }  // namespace
 
-std::vector<ExternalCode> externalCodeOf(const Experiment& experiment,
-                                         const sim2d::Scenario& scenario) {
+std::vector<ExternalCode> externalCodeOf(const Experiment& experiment, std::size_t scenario) {
+  sim2d::Scenario withoutValues = sim2d::readScenario(experiment.scenarioPaths[scenario]).scenario;
+  applyOptions(withoutValues, experiment.common, {});
   ExternalCodeSearch search(experiment);
-  search.search(scenario);
+  search.search(withoutValues);
   return search.take();
 }
 

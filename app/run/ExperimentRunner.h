@@ -41,7 +41,6 @@ class ExperimentRunner {
 
  private:
   base::Diagnostics errorsOfFirstRun(std::size_t scenario);
-  base::Diagnostics codeProblems(std::size_t scenario, base::Severity severity) const;
   base::Result<ResultRow> runWithFiles(std::size_t index, const Bundle& bundle);
   std::string folderOf(std::size_t run) const;
   bool isKept(const ResultRow& row) const;
@@ -53,10 +52,9 @@ class ExperimentRunner {
   BundleReader reader_;
 };
 
-/// External code that runs in a scenario would start, for all values of the experiment. `scenario`:
-/// with the options of all runs, without the values.
-std::vector<ExternalCode> externalCodeOf(const Experiment& experiment,
-                                         const sim2d::Scenario& scenario);
+/// External code that runs in the scenario with this number would start, for all values of the
+/// experiment. Reads the file and starts nothing; errors are those of ExperimentRunner::check.
+std::vector<ExternalCode> externalCodeOf(const Experiment& experiment, std::size_t scenario);
 
 /// Files that a run reads, and external code that it starts.
 std::vector<std::string> inputFilesOf(const Bundle& bundle);

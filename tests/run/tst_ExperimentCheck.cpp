@@ -85,10 +85,8 @@ class ExperimentCheckTest : public QObject {
       }
     }
     QCOMPARE(reported, (std::vector<std::string>{"./first", "./own"}));
-    const sim2d::Scenario scenario =
-        sim2d::readScenario(experiment->scenarioPaths.front()).scenario;
     std::vector<std::string> commands;
-    for (const app::ExternalCode& code : app::externalCodeOf(*experiment, scenario)) {
+    for (const app::ExternalCode& code : app::externalCodeOf(*experiment, 0)) {
       commands.push_back(code.words);
     }
     QCOMPARE(commands, (std::vector<std::string>{"./first", "./own"}));

@@ -3,7 +3,6 @@
 #include "app/run/RunSpec.h"
 #include "app/window/study/StudyPanel.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
 
@@ -13,14 +12,11 @@ bool holds(const std::vector<ExternalCode>& all, const ExternalCode& code) {
   return std::find(all.begin(), all.end(), code) != all.end();
 }
 
-/// The external code that runs of the experiment would start. Nothing is started. Errors in
-/// scenarios and values are reported when they are run.
+/// The external code that runs of the experiment would start, in all of its scenarios.
 std::vector<ExternalCode> externalCodeOfStudy(const Experiment& experiment) {
   std::vector<ExternalCode> all;
-  for (const std::string& path : experiment.scenarioPaths) {
-    sim2d::Scenario scenario = sim2d::readScenario(path).scenario;
-    applyOptions(scenario, experiment.common, {});
-    for (const ExternalCode& code : externalCodeOf(experiment, scenario)) {
+  for (std::size_t k = 0; k < experiment.scenarioPaths.size(); ++k) {
+    for (const ExternalCode& code : externalCodeOf(experiment, k)) {
       if (!holds(all, code)) {
         all.push_back(code);
       }
