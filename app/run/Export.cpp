@@ -255,8 +255,11 @@ class ExportPlanBuilder {
     const base::Result<std::string> content = base::readTextFile(file, base::kMaxRecord);
     if (content) {
       addFile((fs::path("scenarios") / place).string(), *content);
-    } else {
-      base::append(plan_.report, content.diagnostics());
+      return;
+    }
+    for (base::Diagnostic problem : content.diagnostics()) {
+      problem.severity = base::Severity::Warning;  // the scenario itself can be exported
+      plan_.report.push_back(std::move(problem));
     }
   }
 

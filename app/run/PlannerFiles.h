@@ -10,6 +10,8 @@
 /// nothing.
 namespace app {
 
+constexpr const char* kCommandKey = "command";  // ExternalCode::key of a program
+
 /// External code that a robot would start.
 struct ExternalCode {
   base::EntityId entity;
@@ -38,7 +40,6 @@ std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
                                                const std::string& scenarioPath);
 /// The file names of a robot as written in the scenario: parameter files, trees, `file`.
 std::vector<std::string> filesNamedBy(const sim2d::Robot& robot);
-constexpr const char* kCommandKey = "command";  // ExternalCode::key of a program
 /// The folder that relative paths of planners refer to.
 std::string plannerFolderOf(const std::string& scenarioPath);
 
