@@ -17,7 +17,8 @@ GateTest::GateTest(const std::vector<GateMetric>& metrics, double level) {
     GateMetricResult result;
     result.metric = metric;
     results_.push_back(std::move(result));
-    sequences_.emplace_back(gainRange(metric), statistics::MeanSequence::Errors{level, worse});
+    sequences_.emplace_back(gainRange(metric), statistics::MeanSequence::Errors{level, worse},
+                            statistics::MeanSequence::Stakes::MostlyFull);
   }
   sums_.resize(metrics.size());
 }

@@ -10,9 +10,10 @@ namespace {
 /// Share of the wealth that is staked, and how much of the first wealth does. The full stake
 /// decides samples that all lie on one side, the small ones those that scatter.
 struct Stake {
-  double share, weight;
+  double share, mixed, mostlyFull;
 };
-constexpr Stake kStakes[] = {{1.0, 0.3}, {0.6, 0.2}, {0.36, 0.2}, {0.2, 0.2}, {0.1, 0.1}};
+constexpr Stake kStakes[] = {
+    {1.0, 0.3, 0.6}, {0.6, 0.2, 0.15}, {0.36, 0.2, 0.1}, {0.2, 0.2, 0.1}, {0.1, 0.1, 0.05}};
 
 }  // namespace
 
@@ -53,7 +54,9 @@ double MeanSequence::logWealth(double m, bool higher) const {
   double logs[std::size(kStakes)];
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < std::size(kStakes); ++k) {
-    logs[k] = std::log(kStakes[k].weight) + logGrowth(kStakes[k].share, m, end);
+    const Stake& stake = kStakes[k];
+    const double weight = stakes_ == Stakes::Mixed ? stake.mixed : stake.mostlyFull;
+    logs[k] = std::log(weight) + logGrowth(stake.share, m, end);
     most = std::max(most, logs[k]);
   }
   double sum = 0.0;

@@ -56,14 +56,21 @@ class ConfidenceSequencesTest : public QObject {
 
  private Q_SLOTS:
   /// A sequence that excludes the mean after any of its rounds counts as missed.
+  void interval_lookedAtAfterEachRound_coversInAtLeast95Percent_data() {
+    QTest::addColumn<int>("stakes");
+    QTest::newRow("mixed") << static_cast<int>(MeanSequence::Stakes::Mixed);
+    QTest::newRow("mostly full") << static_cast<int>(MeanSequence::Stakes::MostlyFull);
+  }
+
   void interval_lookedAtAfterEachRound_coversInAtLeast95Percent() {
+    QFETCH(const int, stakes);
     constexpr int kSequences = 600;
     constexpr int kRounds = 150;
     const double enough = -std::log(0.025);
     for (const Population& of : populations()) {
       int missed = 0;
       for (int sequence = 0; sequence < kSequences; ++sequence) {
-        MeanSequence betting(of.range, {0.025, 0.025});
+        MeanSequence betting(of.range, {0.025, 0.025}, static_cast<MeanSequence::Stakes>(stakes));
         bool isMissed = false;
         for (int round = 0; round < kRounds && !isMissed; ++round) {
           betting.addRound(of.observe(sequence, round));
@@ -89,6 +96,14 @@ class ConfidenceSequencesTest : public QObject {
     VERIFY_NEAR(betting.logWealth(-0.05, true), std::log(wealth), 1e-12);
     VERIFY_NEAR(betting.logWealth(0.05, false), std::log(wealth), 1e-12);
     QVERIFY(betting.logWealth(0.0, true) <= 1e-12);  // fair bets on zeros gain nothing
+
+    MeanSequence full({-1.0, 1.0}, {0.05, 0.05}, MeanSequence::Stakes::MostlyFull);
+    full.addRound(Numbers(40, 0.0));
+    wealth = 0.6 * std::pow(1.0 + 1.0 / 19.0, 40);
+    wealth += 0.15 * std::pow(1.0 + 0.6 / 19.0, 40) + 0.1 * std::pow(1.0 + 0.36 / 19.0, 40);
+    wealth += 0.1 * std::pow(1.0 + 0.2 / 19.0, 40) + 0.05 * std::pow(1.0 + 0.1 / 19.0, 40);
+    VERIFY_NEAR(full.logWealth(-0.05, true), std::log(wealth), 1e-12);
+    VERIFY_NEAR(full.logWealth(0.05, false), std::log(wealth), 1e-12);
   }
 
   void interval_ofMoreObservations_shrinksAroundTheMean() {
