@@ -92,6 +92,13 @@ QList<QAction*> WindowActions::togglesOf(const std::vector<Toggle>& rows) {
 }
 
 void WindowActions::makeToggles() {
+  makeOverlays();
+  makeLayers();
+  makeSnapping();
+  makeRunOverlays();
+}
+
+void WindowActions::makeOverlays() {
   using Actions = WindowActions;
   using Options = CanvasOptions;
   overlays = togglesOf(
@@ -134,6 +141,10 @@ void WindowActions::makeToggles() {
         QT_TRANSLATE_NOOP("app::WindowActions",
                           "Trajectories that robot planners evaluated in a run"),
         "map/ways", &Actions::candidates}});
+}
+
+void WindowActions::makeLayers() {
+  using Options = CanvasOptions;
   layers = togglesOf(
       {{QT_TRANSLATE_NOOP("app::WindowActions", "&Map"), &Options::map, 0, kShowOrHide},
        {QT_TRANSLATE_NOOP("app::WindowActions", "&People"), &Options::people, 0, kShowOrHide},
@@ -144,12 +155,16 @@ void WindowActions::makeToggles() {
        {QT_TRANSLATE_NOOP("app::WindowActions", "&Areas and docks"), &Options::areas, 0,
         kShowOrHide},
        {QT_TRANSLATE_NOOP("app::WindowActions", "Gro&ups"), &Options::groups, 0, kShowOrHide}});
+}
+
+void WindowActions::makeSnapping() {
+  using Options = CanvasOptions;
   snapping = togglesOf(
       {{QT_TRANSLATE_NOOP("app::WindowActions", "Snap to p&oints"), &Options::snapToPoints,
         Qt::Key_S,
         QT_TRANSLATE_NOOP("app::WindowActions",
                           "Snap drawn items to corners, ends and centres of other items"),
-        nullptr, &Actions::snapToPoints, "snap"},
+        nullptr, &WindowActions::snapToPoints, "snap"},
        {QT_TRANSLATE_NOOP("app::WindowActions", "Snap to &walls"), &Options::snapToWalls, 0,
         QT_TRANSLATE_NOOP("app::WindowActions",
                           "Snap drawn items to corners and edges of map walls")},
@@ -161,7 +176,6 @@ void WindowActions::makeToggles() {
                           "Align dragged items with edges, centres and distances of "
                           "others; Alt suspends this"),
         "map/guides"}});
-  makeRunOverlays();
 }
 
 void WindowActions::makeRunOverlays() {

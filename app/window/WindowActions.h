@@ -54,6 +54,9 @@ class WindowActions : public QObject {
   void makeEditActions();
   void makeViewActions();
   void makeToggles();
+  void makeOverlays();
+  void makeLayers();
+  void makeSnapping();
   void makeRunOverlays();
   void makeLayerGroups();
   void restoreOpacities(const UserSettings& userSettings);

@@ -156,7 +156,7 @@ class ThemeTest : public QObject {
   void selectedText_inAField_isVisible() {
     for (const Theme& theme : {Theme::light(), Theme::dark()}) {
       const QPalette colors = theme.textPalette();
-      const QColor band = colors.color(QPalette::Highlight);
+      const QColor& band = colors.color(QPalette::Highlight);
       QVERIFY(contrastRatio(colors.color(QPalette::HighlightedText), band) >= 4.5);
       QVERIFY(contrastRatio(band, colors.color(QPalette::Base)) >= 1.35);
       QCOMPARE(colors.color(QPalette::Text), theme.palette().color(QPalette::Text));

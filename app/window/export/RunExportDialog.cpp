@@ -387,7 +387,7 @@ void RunExportDialog::takeTrace(const std::shared_ptr<base::Result<sim2d::Trace>
                            .arg(QString::fromStdString(trace->diagnostics().front().message)));
     return;
   }
-  trace_ = std::make_shared<const sim2d::Trace>(**std::move(trace));
+  trace_ = std::make_shared<const sim2d::Trace>(std::move(**trace));
   updateSave();
   updatePreview();
 }

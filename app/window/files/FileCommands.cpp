@@ -212,14 +212,14 @@ base::Diagnostics FileCommands::applyRunOptions() {
 
 QString FileCommands::folder() const {
   const QString own = workspace_.document().path();
-  const QString preferred = userSettings_.value(kFolderKey).toString();
+  QString preferred = userSettings_.value(kFolderKey).toString();
   if (own.isEmpty() && !preferred.isEmpty() && QFileInfo(preferred).isDir()) {
     return preferred;
   }
   QStringList files = userSettings_.recentFiles();
   files.prepend(own);
   for (const QString& file : files) {
-    const QString folder = QFileInfo(file).absolutePath();
+    QString folder = QFileInfo(file).absolutePath();
     if (!file.isEmpty() && !workspace_.document().isShipped(file) && QFileInfo(folder).isDir()) {
       return folder;
     }

@@ -48,7 +48,7 @@ QString mapYamlOf(const QString& image) {
     return QFileInfo(name).completeBaseName() == wanted.completeBaseName();
   });
   for (const QString& name : names) {
-    const QString path = wanted.dir().filePath(name);
+    QString path = wanted.dir().filePath(name);
     const QString named = isMapYaml(path) ? imageOf(path) : QString();
     if (!named.isEmpty() && isSameFile(QFileInfo(named), wanted)) {
       return path;

@@ -81,31 +81,36 @@ bool beginsWord(const QString& text, int at) {
   return at == 0 || !text.at(at - 1).isLetterOrNumber();
 }
 
-/// The best sum of points for the letters of `query` in `text`, both in lower case; -1: none.
+constexpr int kNoMatch = -1;
+
+/// The best sums of points of a text by the position of its last matched letter; kNoMatch: none.
+using Points = std::vector<int>;
+
+/// One step of bestAlignment(): `before` are the sums of the letters before `letter`.
+Points alignLetter(QChar letter, bool isFirst, const QString& text, const Points& before) {
+  Points now(before.size(), kNoMatch);
+  int best = isFirst ? 0 : kNoMatch;  // of the letters before, anywhere to the left
+  int adjacent = kNoMatch;            // of the letters before, directly to the left
+  for (std::size_t at = 0; at < before.size(); ++at) {
+    const int t = static_cast<int>(at);
+    if (text.at(t) == letter && best != kNoMatch) {
+      const int sum = adjacent == kNoMatch ? best : std::max(best, adjacent + kAdjacent);
+      now[at] = sum + kLetter + (beginsWord(text, t) ? kWordStart : 0);
+    }
+    adjacent = before[at];
+    best = std::max(best, adjacent);
+  }
+  return now;
+}
+
+/// The best sum of points for the letters of `query` in `text`, both in lower case.
 /// Dynamic programming over the position of the last matched letter.
 int bestAlignment(const QString& query, const QString& text) {
-  constexpr int kNone = -1;
-  std::vector<int> before(static_cast<std::size_t>(text.size()), kNone);
+  Points points(static_cast<std::size_t>(text.size()), kNoMatch);
   for (int q = 0; q < query.size(); ++q) {
-    std::vector<int> now(before.size(), kNone);
-    int best = q == 0 ? 0 : kNone;  // of the letters before, anywhere to the left
-    for (int t = 0; t < text.size(); ++t) {
-      const auto at = static_cast<std::size_t>(t);
-      if (text.at(t) == query.at(q) && best != kNone) {
-        const bool isAdjacent = q > 0 && t > 0 && before[at - 1] != kNone;
-        const int points = kLetter + (beginsWord(text, t) ? kWordStart : 0);
-        now[at] = best + points;
-        if (isAdjacent) {
-          now[at] = std::max(now[at], before[at - 1] + points + kAdjacent);
-        }
-      }
-      if (q > 0) {
-        best = std::max(best, before[at]);
-      }
-    }
-    before = std::move(now);
+    points = alignLetter(query.at(q), q == 0, text, points);
   }
-  return before.empty() ? kNone : *std::max_element(before.begin(), before.end());
+  return points.empty() ? kNoMatch : *std::max_element(points.begin(), points.end());
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ QString pageOfClass(const QMetaObject* type) {
 QString manualPageOf(const QWidget* widget) {
   for (const QWidget* each = widget; each != nullptr; each = each->parentWidget()) {
     const QString own = each->property(editor::kManualPageProperty).toString();
-    const QString page = own.isEmpty() ? pageOfClass(each->metaObject()) : own;
+    QString page = own.isEmpty() ? pageOfClass(each->metaObject()) : own;
     if (!page.isEmpty()) {
       return page;
     }

@@ -17,8 +17,8 @@ namespace app {
 
 namespace {
 
-constexpr QLatin1String kTranslationFolder(":/translations/");
-constexpr QLatin1String kTranslationStem("hunavsim_");
+const QLatin1String kTranslationFolder(":/translations/");
+const QLatin1String kTranslationStem("hunavsim_");
 
 /// Names of keys as in the texts of the window; Qt's own translations write some of them in full.
 [[maybe_unused]] constexpr const char* kKeyNames[] = {QT_TRANSLATE_NOOP("QShortcut", "Ctrl"),

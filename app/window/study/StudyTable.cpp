@@ -38,7 +38,7 @@ void drawInterval(QPainter& painter, const QRectF& room, const QPalette& palette
     painter.setPen(QPen(palette.color(QPalette::Text), 1.0, isFirst ? Qt::SolidLine : Qt::DotLine));
     painter.drawLine(QPointF(x, room.top() + 1.0), QPointF(x, room.bottom() - 1.0));
   }
-  const QColor accent = palette.color(QPalette::Link);
+  const QColor& accent = palette.color(QPalette::Link);
   painter.setPen(QPen(accent, 3.0, Qt::SolidLine, Qt::FlatCap));
   painter.drawLine(at(Low), at(High));
   painter.setPen(Qt::NoPen);
