@@ -234,6 +234,7 @@ void ScenarioGallery::openFirst() {
 
 std::vector<ScenarioCard*> ScenarioGallery::shownCards() const {
   std::vector<ScenarioCard*> shown;
+  shown.reserve(static_cast<std::size_t>(grid_->count()));
   for (int i = 0; i < grid_->count(); ++i) {
     shown.push_back(static_cast<ScenarioCard*>(grid_->itemAt(i)->widget()));
   }
