@@ -216,6 +216,9 @@ void FigureMap::paintObstacles() const {
 }
 
 editor::Look FigureMap::lookOf(int id) const {
+  if (options_.customTrees.count(id) > 0) {
+    return editor::Look::CustomTree;
+  }
   const sim2d::TraceHuman* const human = trace_.header.human(id);
   return human != nullptr ? editor::lookOf(static_cast<sim2d::BehaviorType>(human->behavior))
                           : editor::Look::Regular;

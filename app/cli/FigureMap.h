@@ -26,9 +26,10 @@ const std::vector<std::string>& figureOverlayNames();
 
 struct FigureOptions {
   std::set<FigureOverlay> overlays;
-  double timeMarks = 0.0;  // [s] between two marks on trajectories; 0: none
-  bool names = true;       // below the bodies
-  bool isDark = false;     // in the colours of the dark theme
+  double timeMarks = 0.0;     // [s] between two marks on trajectories; 0: none
+  bool names = true;          // below the bodies
+  bool isDark = false;        // in the colours of the dark theme
+  std::set<int> customTrees;  // ids of people with custom trees, which traces do not contain
 };
 
 /// The layout of a figure. Pixels are those of CSS, 96 per inch.
@@ -112,8 +113,9 @@ class FigureMap {
   // For legends.
   editor::Look lookOf(int person) const;
   QColor colorOf(int id) const;
-  double scale() const { return frame_.scale; }      // [px/m]
-  double maxDensity() const { return maxDensity_; }  // of the last paint() [1/m²]
+  bool hasPaths() const { return trace_.frames.size() > 1; }  // not only the start
+  double scale() const { return frame_.scale; }               // [px/m]
+  double maxDensity() const { return maxDensity_; }           // of the last paint() [1/m²]
 
  private:
   QRectF extent() const;

@@ -114,15 +114,22 @@ void FigureLegend::paintBelow(QPainter& painter, const QPointF& leftTop, double 
 void FigureLegend::row(QPainter& painter, const QPointF& at, const Entry& entry,
                        double width) const {
   const editor::Theme& theme = text_.theme();
-  const double line = sizes_.isNarrow ? 18.0 : 28.0;
+  const bool hasLine = map_.hasPaths();
+  const double line = !hasLine ? -8.0 : sizes_.isNarrow ? 18.0 : 28.0;
   const double x = at.x();
-  const double middle = at.y() - 4.0;
-  painter.setPen(QPen(map_.colorOf(entry.id), sizes_.line() * 4.0 / 3.0,
-                      entry.id < 0 ? Qt::DashLine : Qt::SolidLine));
-  painter.drawLine(QPointF(x, middle), QPointF(x + line, middle));
+  const QPointF mark(x + line + 14.0, at.y() - 4.0);
+  if (hasLine) {
+    painter.setPen(QPen(map_.colorOf(entry.id), sizes_.line() * 4.0 / 3.0,
+                        entry.id < 0 ? Qt::DashLine : Qt::SolidLine));
+    painter.drawLine(QPointF(x, mark.y()), QPointF(x + line, mark.y()));
+  }
   if (entry.id >= 0) {
-    editor::FigurePainter(theme).mark(painter, map_.lookOf(entry.id),
-                                      QPointF(x + line + 14.0, middle), 10.0);
+    editor::FigurePainter(theme).mark(painter, map_.lookOf(entry.id), mark, 10.0);
+  } else if (!hasLine) {
+    painter.save();
+    painter.translate(mark);
+    editor::FigurePainter(theme).robot(painter, {6.0, 0.0, {}});
+    painter.restore();
   }
   const QFont font = theme.font(sizes_.text());
   const QFontMetricsF metrics(font);
@@ -307,8 +314,11 @@ void RunPicture::paint(QPainter& painter, std::optional<double> time) {
     legend_.paintBelow(painter, {left, y}, width, when);
     return;
   }
-  const QString stands = time ? QStringLiteral("○ start   bodies drawn at %1 s").arg(now, 0, 'f', 1)
-                              : QStringLiteral("○ start   bodies drawn at the end");
+  const QString stands =
+      (map_.hasPaths() ? QStringLiteral("○ start   ") : QString()) +
+      (time ? QStringLiteral("bodies drawn at %1 s").arg(now, 0, 'f', 1)
+            : QStringLiteral("bodies drawn at the %1")
+                  .arg(map_.hasPaths() ? QLatin1String("end") : QLatin1String("start")));
   legend_.paintBeside(painter, {size_.width() - sizes_.legend(), sizes_.margin()},
                       size_.height() - sizes_.margin() - 0.4 * sizes_.foot(), when, stands);
 }

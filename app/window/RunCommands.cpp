@@ -11,6 +11,7 @@
 #include "app/cli/RunObservers.h"
 #include "app/cli/RunPicture.h"
 #include "app/report/RunPictures.h"
+#include "editor/document/RunValues.h"
 #include "editor/look/CoreText.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
@@ -342,7 +343,8 @@ void FigureCommands::updateEnabled() {
   }
 }
 
-FigureOptions figureOptionsOf(const editor::CanvasOptions& on) {
+FigureOptions figureOptionsOf(const editor::MapScene& scene) {
+  const editor::CanvasOptions& on = scene.options();
   FigureOptions options;
   const std::pair<bool, FigureOverlay> overlays[] = {
       {on.density, FigureOverlay::Density},   {on.proxemics, FigureOverlay::Zones},
@@ -354,6 +356,12 @@ FigureOptions figureOptionsOf(const editor::CanvasOptions& on) {
     }
   }
   options.names = on.names;
+  const editor::ScenarioDocument& document = scene.document();
+  for (const sim2d::Human& human : document.scenario().humans) {
+    if (editor::shownLookOf(document, human) == editor::Look::CustomTree) {
+      options.customTrees.insert(human.id);
+    }
+  }
   return options;
 }
 
@@ -364,7 +372,7 @@ void FigureCommands::copyMap() {
     return;
   }
   const sim2d::Trace trace = figureTrace(*recording, frame->time);
-  RunPicture picture(trace, paperLayout(figureOptionsOf(workspace_.scene().options())));
+  RunPicture picture(trace, paperLayout(figureOptionsOf(workspace_.scene())));
   const Paint paint = [&](QPainter& painter) { picture.paint(painter, frame->time); };
   const std::string svg =
       svgOf(picture.size(), QString::fromStdString(trace.header.scenario), paint);

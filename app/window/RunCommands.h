@@ -83,8 +83,8 @@ class HistoryDialog : public QDialog {
 void showHistoryDialog(UserSettings& memory, editor::SimulationRunner& runner,
                        const editor::Theme& theme, QWidget* parent);
 
-/// The overlays of the canvas that figures have.
-FigureOptions figureOptionsOf(const editor::CanvasOptions& on);
+/// The overlays of the canvas that figures have, and the people with custom trees.
+FigureOptions figureOptionsOf(const editor::MapScene& scene);
 
 /// Copies figures for publications to the clipboard as PNG (300 dpi) and SVG: the displayed frame
 /// with its overlays, or the selected metric.

@@ -4,7 +4,10 @@
 
 #include "QuietWindow.h"
 #include "RunFiles.h"
+#include "app/cli/RunPicture.h"
+#include "app/window/RunCommands.h"
 #include "app/window/export/RunExportDialog.h"
+#include "editor/document/PersonTree.h"
 #include "editor/look/AppStyle.h"
 
 using app::ExportSource;
@@ -222,6 +225,65 @@ class RunExportTest : public QObject, protected InFolder {
     QVERIFY(bytesOf(path("start.svg")).size() > 5000);
     QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
     QVERIFY(!window_->workspace().document().isDirty());
+  }
+
+  /// The trace does not contain the trees: the figure takes them from the document, as the canvas.
+  void picture_ofAPersonWithACustomTree_hasItsColour() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    editor::ScenarioDocument& document = window_->workspace().document();
+    const sim2d::Human person = document.scenario().humans.front();
+    const editor::MapScene& scene = window_->workspace().scene();
+    QVERIFY(app::figureOptionsOf(scene).customTrees.empty());
+    const QColor green = editor::Theme::light().fill(editor::Look::CustomTree);
+    const auto greenPixels = [&] {
+      const QImage image(path("tree.png"));
+      int count = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+          count += image.pixelColor(x, y) == green ? 1 : 0;
+        }
+      }
+      return count;
+    };
+    const auto save = [this] {
+      saveAs<SavePictureDialog>(*window_->actions().savePicture, path("tree.png"),
+                                [](SavePictureDialog& dialog) {
+                                  choose(quiet::part<QComboBox>(dialog, "Size"), text("Slide"));
+                                });
+    };
+    save();
+    QCOMPARE(greenPixels(), 0);
+    editor::pushTreeText(document, person.key,
+                         "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><AlwaysSuccess/>"
+                         "</BehaviorTree></root>",
+                         text("Tree"));
+    QCOMPARE(app::figureOptionsOf(scene).customTrees, std::set<int>{person.id});
+    QVERIFY(QFile::remove(path("tree.png")));
+    save();
+    QVERIFY2(greenPixels() > 40, qPrintable(QString::number(greenPixels())));
+  }
+
+  /// The trajectories are in the legend if there are any.
+  void legend_ofAStart_hasNoLines() {
+    const auto dashes = [](std::size_t frames) {  // Pixels of the line colour left of the name.
+      sim2d::Trace trace = *walk(4.0, 4).trace();
+      trace.frames.resize(frames);
+      app::RunPicture picture(trace, {});
+      QImage image(picture.size().toSize(), QImage::Format_RGB32);
+      image.fill(picture.ground());
+      QPainter painter(&image);
+      picture.paint(painter, 0.0);
+      painter.end();
+      const int left = qRound(picture.size().width() - app::FigureSizes(1600.0).legend());
+      const QColor line = editor::Theme::light().line(editor::Look::Regular);
+      int count = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        count += image.pixelColor(left + 24, y) == line ? 1 : 0;
+      }
+      return count;
+    };
+    QVERIFY(dashes(5) > 0);
+    QCOMPARE(dashes(1), 0);
   }
 
   void customSize_typed_isThatOfTheFile() {

@@ -63,7 +63,7 @@ ExportSource RunExportCommands::source() const {
   source.name = workspace_.isRecordedRun()
                     ? workspace_.recordedName()
                     : QFileInfo(workspace_.document().displayName()).completeBaseName();
-  source.options = figureOptionsOf(workspace_.scene().options());
+  source.options = figureOptionsOf(workspace_.scene());
   const editor::RecordingPtr recording = runner.recording();
   const editor::FramePtr shown = runner.shownFrame();
   if (recording == nullptr || recording->size() == 0 || shown == nullptr) {

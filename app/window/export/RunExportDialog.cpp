@@ -368,6 +368,7 @@ PictureLayout RunExportDialog::layoutOfFields() const {
   layout.options.names = names_->isChecked();
   layout.options.timeMarks = timeMarks_->value();
   layout.options.isDark = colours_->currentIndex() == 1;
+  layout.options.customTrees = source_.options.customTrees;
   return layout;
 }
 
