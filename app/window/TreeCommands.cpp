@@ -1,7 +1,5 @@
 #include "app/window/TreeCommands.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <QFileDialog>
@@ -47,10 +45,8 @@ TreeCommands::TreeCommands(Workspace& workspace, Docks& docks, NoticeBar& notice
     : QObject(&docks), workspace_(workspace), docks_(docks), notices_(notices), window_(window) {
   connect(&workspace_.runner(), &editor::SimulationRunner::notStarted, this,
           &TreeCommands::showRefusedRun);
-  connect(&workspace_.document(), &editor::ScenarioDocument::stepFinished, this,
-          &TreeCommands::dropFixedIssues);
-  connect(&docks_.context(), &editor::PanelContext::problemsFound, this,
-          [this] { refused_.clear(); });  // Other issues replace those of the run.
+  connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
+          &TreeCommands::dropIssuesAtStart);
   connect(&docks_.context(), &editor::PanelContext::treePictureRequested, this,
           &TreeCommands::savePicture);
 }
@@ -59,7 +55,6 @@ TreeCommands::TreeCommands(Workspace& workspace, Docks& docks, NoticeBar& notice
 /// issues. The large tree editor stays open in any case: it shows the first error above the tree.
 void TreeCommands::showRefusedRun(const base::Diagnostics& problems) {
   Q_EMIT docks_.context().problemsFound(problems);
-  refused_ = problems;
   Q_EMIT message(editor::refusedRunText(problems));
   auto& trees = docks_.panel<editor::TreeEditor>();
   const bool isShownThere = trees.isVisible() && trees.showRefusedRun(problems);
@@ -68,14 +63,12 @@ void TreeCommands::showRefusedRun(const base::Diagnostics& problems) {
   }
 }
 
-/// Errors of trees are found when a run starts; after an edit they may be wrong.
-void TreeCommands::dropFixedIssues() {
-  base::Diagnostics kept;
-  std::copy_if(refused_.begin(), refused_.end(), std::back_inserter(kept),
-               [](const base::Diagnostic& each) { return !base::startsWith(each.code, "tree."); });
-  if (kept.size() != refused_.size()) {
-    Q_EMIT docks_.context().problemsFound(kept);
-    refused_ = std::move(kept);
+/// A run that starts has its own issues.
+void TreeCommands::dropIssuesAtStart() {
+  const editor::SimulationRunner& runner = workspace_.runner();
+  const bool isEditing = runner.state() == editor::SimulationRunner::State::Editing;
+  if (std::exchange(isEditing_, isEditing) && !isEditing && !runner.isRecorded()) {
+    Q_EMIT docks_.context().problemsFound({});
   }
 }
 

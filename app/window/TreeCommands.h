@@ -23,14 +23,14 @@ class TreeCommands : public QObject {
 
  private:
   void showRefusedRun(const base::Diagnostics& problems);
-  void dropFixedIssues();
+  void dropIssuesAtStart();
   void savePicture(editor::EntityId person);
 
   Workspace& workspace_;
   Docks& docks_;
   NoticeBar& notices_;
   QWidget& window_;
-  base::Diagnostics refused_;  // Why the last run was refused.
+  bool isEditing_ = true;  // State of the runner at its last change.
 };
 
 }  // namespace app

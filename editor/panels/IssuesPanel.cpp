@@ -89,6 +89,11 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme)
   connect(table_, &QTableView::customContextMenuRequested, this, &IssuesPanel::offerMenu);
   connect(&document_, &ScenarioDocument::issuesChanged, this, &IssuesPanel::rebuild);
   connect(&document_, &ScenarioDocument::pathChanged, this, &IssuesPanel::rebuild);
+  connect(&document_, &ScenarioDocument::stepFinished, this, [this] {
+    if (!isRecorded_ && !action_.empty()) {  // An edit may have fixed them.
+      setActionIssues({});
+    }
+  });
   setTheme(theme);
 }
 

@@ -25,7 +25,7 @@ class IssuesPanel : public QWidget {
   void setTheme(const Theme& theme);
 
   /// Problems of an action (opening, saving, starting a run), shown above those of the document
-  /// until the next action; empty clears them.
+  /// until the next action or edit; empty clears them.
   void setActionIssues(const base::Diagnostics& issues);
   /// While a recorded run is shown, which cannot be edited, only problems of actions are listed.
   void setRecorded(bool recorded);

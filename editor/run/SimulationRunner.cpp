@@ -338,6 +338,7 @@ void SimulationRunner::poll() {
     const base::Diagnostics errors = *news.remarks;
     stopSession();
     session_.reset();
+    setScenarios({});
     branches_.clear();
     branch_ = -1;
     Q_EMIT branchesChanged();

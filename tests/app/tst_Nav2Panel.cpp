@@ -4,6 +4,7 @@
 #include "app/window/Docks.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
+#include "editor/panels/IssuesPanel.h"
 #include "editor/panels/nav2/Nav2Panel.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/StudyFiles.h"
@@ -210,6 +211,35 @@ class Nav2PanelTest : public QObject, protected quiet::InFolder {
     quiet::shoot(*window_, "nav2_pending");
     runner.reset();
     QTRY_VERIFY(row("FollowPath.temperature").icon(editor::Nav2ValueColumn).isNull());
+  }
+
+  /// Its errors are those of the scenario's value; they end with the value, and no run is marked.
+  void run_refusedForAValue_isForgottenWithTheValue() {
+    openPanel();
+    const char* const key = "local_costmap.inflation_layer.inflation_radius";
+    type(key, "-1");
+    editor::SimulationRunner& runner = window_->workspace().runner();
+    auto& issues = window_->docks().panel<editor::IssuesPanel>();
+    const auto refusal = [&issues] {
+      const QAbstractItemModel& rows = *issues.table().model();
+      QString found;
+      for (int at = 0; at < rows.rowCount(); ++at) {
+        const QString sentence = rows.index(at, 0).data().toString();
+        found = sentence.contains(text("inflation_radius: -1 must be")) ? sentence : found;
+      }
+      return found;
+    };
+    QSignalSpy refused(&runner, &editor::SimulationRunner::notStarted);
+    runner.play();
+    QTRY_COMPARE(refused.count(), 1);
+    QTRY_VERIFY(!refusal().isEmpty());
+    QVERIFY2(!refusal().contains(text(".yaml")), qPrintable(refusal()));
+    document().undoStack().undo();
+    document().checkNow();
+    QTRY_VERIFY2(refusal().isEmpty(), qPrintable(refusal()));
+    openPanel();
+    QTRY_COMPARE(row(key).text(editor::Nav2ValueColumn), row(key).text(editor::Nav2FileColumn));
+    QVERIFY(row(key).icon(editor::Nav2ValueColumn).isNull());
   }
 
   /// Fields of Nav2 are shown only for the planner that uses them.

@@ -118,6 +118,33 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(panel_->table().model()->rowCount(), fresh.table().model()->rowCount());
   }
 
+  /// Why a run was refused may be fixed by any edit, also by undoing the one that caused it.
+  void issues_ofAnAction_endWithTheNextEdit() {
+    open();
+    const base::EntityId person = editor::pushAdd(*document_, sim2d::Human());
+    const auto isShown = [this] {
+      const QAbstractItemModel& rows = *panel_->table().model();
+      bool found = false;
+      for (int row = 0; row < rows.rowCount(); ++row) {
+        found = found || rows.index(row, 0).data().toString() == QStringLiteral("Odd");
+      }
+      return found;
+    };
+    const base::Diagnostics refused{base::error("run.failed", {"odd"})};
+    panel_->setActionIssues(refused);
+    QVERIFY(isShown());
+    editor::pushChange<sim2d::Human>(*document_, person, QString(),
+                                     [](sim2d::Human& human) { human.radius = 0.4; });
+    QVERIFY(!isShown());
+    panel_->setActionIssues(refused);
+    document_->undoStack().undo();
+    QVERIFY(!isShown());
+    panel_->setRecorded(true);  // its edits are reverted
+    panel_->setActionIssues(refused);
+    document_->undoStack().redo();
+    QVERIFY(isShown());
+  }
+
   /// Asked for, its map is an error; found missing, a warning: one problem all the same.
   void issues_sameWordsWithAnotherSeverity_areToldOnce() {
     open();

@@ -469,6 +469,7 @@ class SimulationRunnerTest : public QObject {
     SimulationRunner runner;
     runner.setRequest([] {
       RunRequest broken;
+      broken.scenarios.now = std::make_shared<sim2d::Scenario>();
       broken.makeWorld = []() -> base::Result<std::unique_ptr<sim2d::World>> {
         return base::error("run.failed", {"no place for Ana"});
       };
@@ -478,6 +479,7 @@ class SimulationRunnerTest : public QObject {
     runner.play();
     QVERIFY(spy.wait(5000));
     QCOMPARE(runner.state(), SimulationRunner::State::Editing);
+    QVERIFY(runner.scenarios().now == nullptr);  // no run beside the edited scenario
     QVERIFY(spy.front().front().value<base::Diagnostics>().front().message == "no place for Ana");
   }
 };

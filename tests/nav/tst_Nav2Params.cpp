@@ -302,6 +302,23 @@ planer_server:
     QCOMPARE(after.parameters.velocitySmoother.maxVelocity, (std::vector<double>{1.0, 0.0, 2.0}));
   }
 
+  /// A value of the scenario is at no line of the file, which has another value there.
+  void set_value_problemsNameNoFile() {
+    ParameterFile file = parsed(kPursuit);
+    const Nav2ReadResult before = readNav2Parameters(file, {Distro::Jazzy, {}});
+    QVERIFY(setNav2Value(file, before, "local_costmap.width", "wide").empty());
+    QVERIFY(setNav2Value(file, before, "FollowPath.lookahead_dist", "-2").empty());
+    const Nav2ReadResult after = readNav2Parameters(file, {Distro::Jazzy, {}});
+    const base::Diagnostic* const type = problemOf(after.problems, "nav2.wrong-type");
+    QVERIFY(type != nullptr);
+    QVERIFY2(type->file.empty() && type->line == 0, type->text().c_str());
+    const base::Diagnostic range = withFilePosition(
+        after.parameters, base::withContext("controller_server",
+                                            base::withContext("FollowPath.lookahead_dist",
+                                                              base::error("run.failed", {"odd"}))));
+    QVERIFY2(range.file.empty() && range.line == 0, range.text().c_str());
+  }
+
   void set_unknownPath_tellsTheNearest() {
     ParameterFile file = parsed(kPursuit);
     const Nav2ReadResult reading = readNav2Parameters(file, {Distro::Jazzy, {}});

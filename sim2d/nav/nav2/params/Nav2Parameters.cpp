@@ -307,7 +307,7 @@ base::Diagnostic withFilePosition(const Nav2Parameters& parameters, base::Diagno
   if (key != nullptr) {
     problem.line = key->line;
     problem.column = key->column;
-    problem.file = key->line > 0 ? key->file : problem.file;
+    problem.file = key->file;  // empty: the value is set outside of the files
   }
   return problem;
 }

@@ -254,6 +254,7 @@ void NodeReader::report(const std::string& name, base::Diagnostic problem) {
   problem.line = parameters_.line;
   problem.column = 0;
   if (given != nullptr && given->value->tag == kOverrideTag) {  // has no position in a file
+    problem.file.clear();
     problem.line = 0;
   } else if (given != nullptr) {
     const bool isNull = given->value->isNull();  // null has the position of the next token
