@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "editor/canvas/MapView.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RobotPainters.h"
 #include "editor/canvas/RunOverlays.h"
@@ -12,11 +11,6 @@
 namespace editor {
 
 namespace {
-
-constexpr double kLegendRowPx = 20.0;
-constexpr double kPlatePad = 10.0;
-constexpr double kPlateMargin = 12.0;
-constexpr double kSampleGap = 8.0;
 
 LegendRow noteRow(const QString& label) {
   return {label, {}, {}, true};
@@ -35,7 +29,6 @@ LegendSample strokeSample(const QPen& pen) {
 LegendRow rampRow(const Theme& theme, const QString& value,
                   const std::function<QColor(double)>& colorOf) {
   return {{}, value, [&theme, colorOf](QPainter& painter, const QRectF& box) {
-            constexpr int kRampPx = 118;
             const QRectF place(box.left(), box.top() + 5.0, kRampPx, 10.0);
             painter.fillRect(place, theme.color(Role::MapFree));
             for (int x = 0; x < kRampPx; ++x) {
@@ -369,18 +362,9 @@ std::vector<LegendRow> senseRows(const MapScene& scene) {
   return rows;
 }
 
-bool needsLegend(const MapScene& scene) {
-  const CanvasOptions& on = scene.options();
-  return scene.isRunMode() &&
-         (on.forces || on.velocities || on.proxemics || on.gaussian || on.sight || on.density ||
-          on.plans || on.contacts || on.thoughts || on.detections || on.candidates ||
-          on.localCosts || on.globalCosts || on.masks || (on.lidar && isLidarChosen(scene)) ||
-          !senseRows(scene).empty());
-}
-
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   std::vector<LegendPart> parts;
-  if (!needsLegend(scene)) {
+  if (!scene.isRunMode()) {
     return parts;
   }
   const CanvasOptions& on = scene.options();
@@ -413,63 +397,6 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   }
   add(true, [&]() -> LegendPart { return {QObject::tr("Robot"), std::move(senses)}; });
   return parts;
-}
-
-LegendStrip::LegendStrip(MapView& view) : QWidget(&view), view_(view) {
-  setAccessibleName(tr("Legend"));
-  setAttribute(Qt::WA_OpaquePaintEvent);
-}
-
-void LegendStrip::paintEvent(QPaintEvent* /*event*/) {
-  const MapScene& scene = view_.mapScene();
-  QPainter painter(this);
-  painter.fillRect(rect(), scene.groundColor());
-  painter.setRenderHint(QPainter::Antialiasing);
-  const std::vector<LegendPart> parts = legendOf(scene, view_.pixelsPerMetre());
-  double height = 2.0 * kPlatePad - 4.0;
-  for (const LegendPart& part : parts) {
-    height += (static_cast<double>(part.rows.size()) + 1.0) * kLegendRowPx + 8.0;
-  }
-  const QRectF plate(0.5, kPlateMargin + 0.5, width() - kPlateMargin - 1.0, height - 8.0);
-  if (!parts.empty()) {
-    paintLegendBackground(painter, scene.theme(), plate);
-  }
-  QRectF room = plate.adjusted(kPlatePad, kPlatePad - 2.0, -kPlatePad, 0.0);
-  for (const LegendPart& part : parts) {
-    room.setTop(paintPart(painter, part, room));
-  }
-  if (state_.isValid()) {
-    painter.fillRect(QRectF(0.0, 0.0, width(), kStateLinePx), state_);
-  }
-}
-
-/// Returns the position of the next part.
-double LegendStrip::paintPart(QPainter& painter, const LegendPart& part, const QRectF& room) const {
-  const Theme& theme = view_.mapScene().theme();
-  QRectF line(room.left(), room.top(), room.width(), kLegendRowPx);
-  const auto write = [&](const QRectF& place, int side, const QString& label, const QFont& font,
-                         Role role) {
-    painter.setFont(font);
-    painter.setPen(theme.color(role));
-    painter.drawText(place, side | Qt::AlignVCenter,
-                     QFontMetricsF(font).elidedText(label, Qt::ElideMiddle, place.width() + 1.0));
-  };
-  write(line, Qt::AlignLeft, part.title, theme.font(9.0, QFont::DemiBold), Role::Text);
-  line.translate(0.0, kLegendRowPx);
-  for (const LegendRow& row : part.rows) {
-    double left = line.left();
-    if (row.sample) {
-      row.sample(painter, QRectF(line.topLeft(), QSizeF(kLegendRowPx, kLegendRowPx)));
-      left += kLegendRowPx + kSampleGap;
-    }
-    const QFont figures = theme.figureFont(9.0);
-    const double value = QFontMetricsF(figures).horizontalAdvance(row.value);
-    write(line, Qt::AlignRight, row.value, figures, Role::TextSecondary);
-    write(QRectF(QPointF(left, line.top()), QPointF(line.right() - value - 4.0, line.bottom())),
-          Qt::AlignLeft, row.label, theme.font(9.0), row.isNote ? Role::TextSecondary : Role::Text);
-    line.translate(0.0, kLegendRowPx);
-  }
-  return line.top() + 8.0;
 }
 
 }  // namespace editor

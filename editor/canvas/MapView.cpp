@@ -1,9 +1,11 @@
 #include "editor/canvas/MapView.h"
 
 #include <cmath>
+#include <limits>
 
+#include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/Layers.h"
-#include "editor/canvas/MapLegend.h"
+#include "editor/canvas/LegendStrip.h"
 #include "editor/canvas/ViewOverlays.h"
 
 namespace editor {
@@ -118,7 +120,7 @@ void MapView::moveTo(const ViewCentre& place, bool animated) {
     applyView(place.centre, place.scale);
     return;
   }
-  animationFrom_ = {mapToScene(viewport()->rect().center()), pixelsPerMetre()};
+  animationFrom_ = {sceneCentre(), pixelsPerMetre()};
   animationTo_ = place;
   fitAnimation_.start();
 }
@@ -158,32 +160,64 @@ void MapView::zoomBy(double factor, const QPointF& viewportPoint) {
   fitAnimation_.stop();
   fitted_ = false;
   const double scale = std::clamp(pixelsPerMetre() * factor, kFarthest, kClosest);
-  const QPointF centre = mapToScene(viewport()->rect().center());
+  const QPointF centre = sceneCentre();
   const QPointF fixed = mapToScene(viewportPoint.toPoint());
   applyView(fixed + (centre - fixed) * pixelsPerMetre() / scale, scale);
 }
 
 /// Invalid while editing.
 QColor MapView::stateColor() const {
-  return state_ == CanvasState::Editing   ? QColor()
+  return runColor_.isValid()              ? runColor_
+         : state_ == CanvasState::Editing ? QColor()
          : state_ == CanvasState::Running ? scene_.theme().color(Role::Ok)
          : state_ == CanvasState::Paused  ? scene_.theme().color(Role::WarningMark)
                                           : scene_.theme().color(Role::Past);
 }
 
-/// Placed beside the map while an overlay has a legend.
+void MapView::setLegendBrief(bool brief) {
+  legend_->setBrief(brief);
+  placeLegend();
+}
+
+/// Over the map while an overlay has a legend, in a corner that it keeps.
 void MapView::placeLegend() {
   if (legend_ == nullptr) {
     return;
   }
-  const bool isWanted = needsLegend(scene_);
-  const QMargins margins(0, 0, isWanted ? LegendStrip::kWidth : 0, 0);
-  legend_->setStateColor(stateColor());
-  legend_->setGeometry(width() - LegendStrip::kWidth, 0, LegendStrip::kWidth, height());
-  if (viewportMargins() != margins) {
-    setViewportMargins(margins);
+  legend_->setParts(legendOf(scene_, pixelsPerMetre()));
+  if (legend_->isEmpty()) {
+    legend_->hide();
+    return;
   }
-  legend_->setVisible(isWanted);
+  if (legend_->isHidden()) {
+    legend_->setCorner(freeLegendCorner());
+  }
+  legend_->place(viewport()->rect().adjusted(0, coveredTop_, 0, 0));
+  legend_->show();
+}
+
+/// The corner in which the legend covers the fewest bodies and goals.
+int MapView::freeLegendCorner() const {
+  std::vector<QPoint> places;
+  for (const ShownBody& body : scene_.frameLayer().shownBodies()) {
+    places.push_back(viewportFrom(body.pose.position));
+  }
+  for (const sim2d::GlobalGoal& goal : scene_.document().scenario().goals) {
+    places.push_back(viewportFrom(goal.position));
+  }
+  const QRect room = viewport()->rect().adjusted(0, coveredTop_, 0, 0);
+  int best = 0;
+  std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
+  for (int corner = 0; corner < LegendStrip::kCorners; ++corner) {
+    const QRect box = legend_->boxAt(corner, room);
+    const auto covered = std::count_if(places.begin(), places.end(),
+                                       [&box](const QPoint& place) { return box.contains(place); });
+    if (covered < fewest) {
+      fewest = covered;
+      best = corner;
+    }
+  }
+  return best;
 }
 
 void MapView::wheelEvent(QWheelEvent* event) {
@@ -285,14 +319,15 @@ void MapView::showEvent(QShowEvent* event) {
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {
-  placeLegend();
-  const QPointF centre = mapToScene(QRect(QPoint(), event->oldSize()).center());
+  const QPointF centre =
+      viewportTransform().inverted().map(QRectF(QPointF(), event->oldSize()).center());
   QGraphicsView::resizeEvent(event);
   if (fitted_) {
     fitAll(false);
   } else if (event->oldSize().isValid()) {
     centerOn(centre);
   }
+  placeLegend();
 }
 
 void MapView::paintEvent(QPaintEvent* event) {
@@ -328,7 +363,11 @@ void MapView::drawForeground(QPainter* painter, const QRectF&) {
     paintRulers(*painter, context);
   }
   paintScaleBar(*painter, context);
-  legendCorner_ = paintGroupLegend(*painter, context);
+  OverlayContext besideLegend = context;
+  if (!legend_->isHidden() && legend_->geometry().right() > width() / 2) {
+    besideLegend.window.setRight(legend_->geometry().left());
+  }
+  legendCorner_ = paintGroupLegend(*painter, besideLegend);
   if (const QColor color = stateColor(); color.isValid()) {
     painter->fillRect(QRectF(0.0, 0.0, window.width(), kStateLinePx), color);
   }

@@ -45,7 +45,10 @@ class MapView : public QGraphicsView {
   void fitAll(bool animated = true);
   /// The height at the top that other widgets cover [px]: the next fit leaves it out, the view does
   /// not move now.
-  void setCoveredTop(int height) { coveredTop_ = height; }
+  void setCoveredTop(int height) {
+    coveredTop_ = height;
+    placeLegend();
+  }
   void centerOnEntity(EntityId id);
   void zoomBy(double factor, const QPointF& viewportPoint);
   void zoomBy(double factor) { zoomBy(factor, viewport()->rect().center()); }
@@ -57,11 +60,22 @@ class MapView : public QGraphicsView {
   double pixelsPerMetre() const { return transform().m11(); }
   Vec2 worldAt(const QPoint& viewportPoint) const { return toWorld(mapToScene(viewportPoint)); }
   QPoint viewportFrom(const Vec2& world) const { return mapFromScene(toScene(world)); }
+  /// The scene point at the centre of the viewport, to a fraction of a pixel.
+  QPointF sceneCentre() const {
+    return viewportTransform().inverted().map(QRectF(viewport()->rect()).center());
+  }
   void setCanvasState(CanvasState state) {
     state_ = state;
     placeLegend();
     viewport()->update();
   }
+  /// The colour of the line at the top while runs are side by side; invalid: that of the state.
+  void setRunColor(const QColor& color) {
+    runColor_ = color;
+    viewport()->update();
+  }
+  /// The legend has only signs and values, for a view beside another one with the whole legend.
+  void setLegendBrief(bool brief);
   /// The left button pans as well.
   void setLeftButtonPan(bool on) {
     leftButtonPans_ = on;
@@ -96,7 +110,9 @@ class MapView : public QGraphicsView {
     QGraphicsView::leaveEvent(event);
   }
   void drawBackground(QPainter* painter, const QRectF& rect) override {
-    painter->fillRect(rect, scene_.groundColor());
+    // Larger: the antialiased edge of a partial repaint would mix with the pixels before it.
+    const double margin = 2.0 / pixelsPerMetre();
+    painter->fillRect(rect.adjusted(-margin, -margin, margin, margin), scene_.groundColor());
   }
   void drawForeground(QPainter* painter, const QRectF& rect) override;
   void showEvent(QShowEvent* event) override;
@@ -113,6 +129,7 @@ class MapView : public QGraphicsView {
   void updateCursor();
   QColor stateColor() const;
   void placeLegend();
+  int freeLegendCorner() const;
   /// Called while the view moves: crowded scenes use the cached picture meanwhile.
   void restartSettleTimer() { settleTimer_.start(); }
   bool startsPan(const QMouseEvent& event) const;
@@ -126,6 +143,7 @@ class MapView : public QGraphicsView {
   int legendCorner_ = 0;
   QTimer settleTimer_;  // Runs while the view moves; afterwards everything is painted sharply.
   CanvasState state_ = CanvasState::Editing;
+  QColor runColor_;
   QPoint panFrom_;
   std::optional<QPoint> pointer_;  // In the viewport [px].
   bool panning_ = false;

@@ -282,6 +282,20 @@ class RunsAndFuturesTest : public QObject {
     QTRY_COMPARE(titleOfCanvas()->mapTo(window_.get(), QPoint()).y(),
                  view.mapTo(window_.get(), QPoint()).y());
     editor::MapScene& canvas = window_->workspace().view().mapScene();
+    // The line above a view has the colour of its run, not that of the state.
+    const auto lineOf = [](const editor::MapView& of) {
+      return of.viewport()->grab().toImage().pixelColor(of.viewport()->width() / 2, 1);
+    };
+    const editor::Theme light = editor::Theme::light();
+    QCOMPARE(lineOf(window_->workspace().view()), light.color(editor::Role::Accent));
+    QCOMPARE(lineOf(view.view()), editor::ghostStyle(0, light).color);
+    // Both show the same place, to the pixel.
+    const auto shift = [this, &view] {
+      const editor::MapView& left = window_->workspace().view();
+      const QPointF by = view.view().sceneCentre() - left.sceneCentre();
+      return std::max(std::abs(by.x()), std::abs(by.y())) * left.pixelsPerMetre();
+    };
+    QTRY_VERIFY2(shift() < 0.55, qPrintable(QString::number(shift())));
     editor::CanvasOptions options = canvas.options();
     options.contacts = options.thoughts = options.proxemics = true;
     canvas.setOptions(options);

@@ -5,7 +5,7 @@
 
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/MapLegend.h"
+#include "editor/canvas/LegendStrip.h"
 #include "editor/canvas/RunOverlays.h"
 
 using editor::CanvasOptions;
@@ -284,23 +284,69 @@ class RunOverlaysTest : public QObject, private CanvasTester {
     QCOMPARE(dots(), before);
   }
 
-  void legend_isBesideTheMap() {
+  /// The map keeps its size and zoom, and receives the mouse below the legend.
+  void legend_isOverTheMap() {
     showTwo();
     turnOn(nullptr);
     QVERIFY(!strip().isVisible());
-    const int width = view_.viewport()->width();
+    const QSize size = view_.viewport()->size();
+    const QTransform place = view_.viewportTransform();
     turnOn(&CanvasOptions::density);
     QVERIFY(strip().isVisible());
-    QCOMPARE(view_.viewport()->width(), width - editor::LegendStrip::kWidth);
-    QVERIFY(!strip().geometry().intersects(view_.viewport()->geometry()));
-    const int other = view_.viewport()->width();
-    document_.setSelection({person(1)});  // nothing jumps when somebody is selected
+    QVERIFY(view_.viewport()->geometry().contains(strip().geometry()));
+    QVERIFY(view_.childAt(strip().geometry().center()) == view_.viewport());
+    const QRect box = strip().geometry();
+    for (const editor::ShownBody& body : scene_.frameLayer().shownBodies()) {
+      QVERIFY(!box.contains(view_.viewportFrom(body.pose.position)));
+    }
+    document_.setSelection({person(1)});  // Nothing moves.
     QCoreApplication::processEvents();
-    QCOMPARE(view_.viewport()->width(), other);
+    QCOMPARE(strip().geometry(), box);
+    QCOMPARE(view_.viewport()->size(), size);
+    QCOMPARE(view_.viewportTransform(), place);
     scene_.showFrame(nullptr);
     QCoreApplication::processEvents();
     QVERIFY(!strip().isVisible());
-    QCOMPARE(view_.viewport()->width(), width);
+    QCOMPARE(view_.viewport()->size(), size);
+    QCOMPARE(view_.viewportTransform(), place);
+  }
+
+  /// Only signs with their values: as wide as they need.
+  void legend_brief_hasNoNames() {
+    showTwo();
+    turnOn(&CanvasOptions::contacts);
+    const QSize whole = strip().size();
+    turnOn(nullptr);
+    view_.setLegendBrief(true);
+    turnOn(&CanvasOptions::contacts);
+    QVERIFY(strip().isVisible());
+    QVERIFY2(strip().width() <= whole.width() / 2, qPrintable(QString::number(strip().width())));
+    QVERIFY(strip().height() < whole.height());
+    turnOn(&CanvasOptions::density);  // A colour bar has its scale in the other view.
+    QVERIFY(!strip().isVisible());
+    view_.setLegendBrief(false);
+  }
+
+  /// A partial repaint leaves no line at its edge.
+  void ground_repaintedInPart_isTheSame() {
+    showTwo();
+    turnOn(nullptr);
+    view_.zoomBy(1.037);  // Pixel edges are at odd places of the scene.
+    QImage image(view_.viewport()->size(), QImage::Format_RGB32);
+    image.fill(Qt::red);
+    for (const int top : {0, 41, 64}) {
+      const QRect part(0, top, image.width(),
+                       (top == 0    ? 41
+                        : top == 41 ? 64
+                                    : image.height()) -
+                           top);
+      view_.viewport()->render(&image, part.topLeft(), part, QWidget::RenderFlags());
+    }
+    const QColor ground = scene_.groundColor();
+    for (int y = 0; y < 100; ++y) {
+      QCOMPARE(image.pixelColor(1, y), ground);
+    }
+    view_.fitAll(false);
   }
 
   void legend_ofEachOverlay_isThere() {

@@ -7,7 +7,7 @@
 
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/MapLegend.h"
+#include "editor/canvas/LegendStrip.h"
 #include "editor/canvas/RobotPainters.h"
 #include "editor/panels/EventsPanel.h"
 #include "editor/panels/runs/RunInteraction.h"
@@ -248,13 +248,16 @@ class SensesOnMapTest : public QObject, private CanvasTester {
     shot(&CanvasOptions::lidar, true);
     QCOMPARE(parts().size(), std::size_t{1});
     QCOMPARE(parts().front().title, QStringLiteral("Robot"));
-    QTRY_COMPARE(view_.viewport()->width(), alone - editor::LegendStrip::kWidth);  // beside the map
+    const auto* legend = view_.findChild<editor::LegendStrip*>();
+    QTRY_VERIFY(legend->isVisible());
+    QCOMPARE(view_.viewport()->width(), alone);  // Over the map.
     shot(&CanvasOptions::lidar, false);
     QVERIFY(parts().empty());
-    QTRY_COMPARE(view_.viewport()->width(), alone);
+    QTRY_VERIFY(!legend->isVisible());
+    QCOMPARE(view_.viewport()->width(), alone);
   }
 
-  void legend_withDetections_standsBesideTheMap() {
+  void legend_withDetections_isShown() {
     sim2d::RobotTelemetry senses = withScan();
     senses.bodies.resize(1);
     showSenses(senses);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/run/RecordedRun.h"
+#include "editor/canvas/ComparedRunLayers.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/Autosave.h"
 #include "editor/look/Form.h"
@@ -17,7 +18,7 @@ SideView::SideView(MapView& canvas, const DocumentSnapshot& document, bool isOfE
   scene_.setOptions(canvas.mapScene().options());
   configuredLayout(new QVBoxLayout(this), {}, 0, {title_, view_});
   view_->setInteractive(false);
-  view_->setCanvasState(CanvasState::Past);
+  view_->setLegendBrief(true);
   view_->setFocusPolicy(Qt::NoFocus);
   view_->setAcceptDrops(false);
   setMinimumWidth(240);
@@ -64,7 +65,7 @@ void SideView::followCanvas() {
   const double share = std::min({1.0, ours.width() / std::max(1.0, theirs.width()),
                                  ours.height() / std::max(1.0, theirs.height())});
   view_->setPixelsPerMetre(std::max(0.1, share) * canvas_.pixelsPerMetre());
-  view_->centerOn(canvas_.mapToScene(canvas_.viewport()->rect().center()));
+  view_->centerOn(canvas_.sceneCentre());
 }
 
 void SideView::showAt(const std::shared_ptr<const sim2d::Recording>& recording, double time) {
@@ -108,6 +109,7 @@ SideBySide::SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget*
 
 SideBySide::~SideBySide() {
   showSenses(true);
+  canvas_.setRunColor({});
 }
 
 void SideBySide::showSenses(bool shown) {
@@ -145,6 +147,15 @@ void SideBySide::showRuns(const std::vector<Run>& runs) {
                      isAlone ? columns() : 1);
     views_[k]->setVisible(true);
   }
+  showColors(canvas_.mapScene().theme());
+}
+
+/// The line above each run has its colour in the list and in plots, not that of the state.
+void SideBySide::showColors(const Theme& theme) {
+  canvas_.setRunColor(theme.color(Role::Accent));
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    views_[k]->view().setRunColor(ghostStyle(k, theme).color);
+  }
 }
 
 void SideBySide::showAt(double time) {
@@ -157,6 +168,7 @@ void SideBySide::setTheme(const Theme& theme) {
   for (const std::unique_ptr<SideView>& view : views_) {
     view->setTheme(theme);
   }
+  showColors(theme);
 }
 
 }  // namespace editor

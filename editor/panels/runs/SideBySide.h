@@ -81,6 +81,7 @@ class SideBySide : public QWidget {
 
  private:
   void showSenses(bool shown);
+  void showColors(const Theme& theme);
 
   MapView& canvas_;
   const ScenarioDocument& edited_;

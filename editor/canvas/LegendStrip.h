@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <QtWidgets>
+
+#include "editor/canvas/MapLegend.h"
+
+namespace editor {
+
+class MapView;
+
+/// The legend over a corner of a view. The view keeps its size and zoom, and gets the mouse.
+class LegendStrip : public QWidget {
+  Q_OBJECT
+ public:
+  static constexpr int kCorners = 3;  // Top right, top left, bottom right.
+  explicit LegendStrip(MapView& view);
+  void setParts(std::vector<LegendPart> parts);
+  /// Only the signs and values of the rows, without their names.
+  void setBrief(bool brief) { isBrief_ = brief; }
+  bool isEmpty() const { return parts_.empty(); }
+  void setCorner(int corner) { corner_ = corner; }
+  QRect boxAt(int corner, const QRect& room) const;
+  /// In its corner. It does not become narrower while it is visible, so that it does not move with
+  /// the digits of its values.
+  void place(const QRect& room);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double rowWidth(const LegendRow& row) const;
+  QSize fittingSize() const;
+  double paintPart(QPainter& painter, const LegendPart& part, const QRectF& room) const;
+
+  MapView& view_;
+  std::vector<LegendPart> parts_;
+  int corner_ = 0;
+  bool isBrief_ = false;
+};
+
+}  // namespace editor
