@@ -119,6 +119,12 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   if (isNew && isButtonLike(*widget) && widget->focusPolicy() != Qt::NoFocus) {
     widget->setFocusPolicy(Qt::TabFocus);
   }
+  if (event->type() == QEvent::Hide && qobject_cast<QDockWidget*>(widget) != nullptr) {
+    editor::MapView& view = workspace_.view();
+    if (window_.isVisible() && view.isVisible() && widget->isAncestorOf(window_.focusWidget())) {
+      view.setFocus();  // otherwise Qt moves the focus to the next button
+    }
+  }
   if (event->type() == QEvent::FocusIn) {
     if (QLineEdit* line = lineOf(*widget)) {
       line->setModified(false);  // earlier input is undone by the window

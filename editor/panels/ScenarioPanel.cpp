@@ -175,7 +175,10 @@ void ScenarioPanel::updatePlaceholder() {
   if (groups > std::exchange(groups_, groups) && !filterField_->text().isEmpty()) {
     expandGroups();  // Makes restored rows visible.
   }
-  empty_->setVisible(isFound && scenario.humans.empty() && scenario.goals.empty());
+  const bool isEmpty = scenario.humans.empty() && scenario.goals.empty() &&
+                       scenario.robots.empty() && scenario.areas.empty() &&
+                       scenario.docks.empty();  // Obstacles are often the walls of a new room.
+  empty_->setVisible(isFound && isEmpty);
   nothing_->setMatchFound(isFound);
 }
 

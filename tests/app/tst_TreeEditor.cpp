@@ -91,6 +91,10 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     QVERIFY(!studio().isVisible());
     QCOMPARE(openDocks(), docks);
     QTRY_COMPARE(window_->workspace().view().geometry(), before);
+    QCOMPARE(window_->focusWidget(), &window_->workspace().view());
+    QTest::keyClick(window_->focusWidget(), Qt::Key_Space);
+    QTRY_COMPARE(runner().state(), State::Running);  // Space does not press a button.
+    runner().reset();
     window_->docks().treeMaximized()->setChecked(true);
     window_->docks().mapOnly()->setChecked(true);  // the other one ends it
     QVERIFY(!window_->docks().treeMaximized()->isChecked());

@@ -81,6 +81,25 @@ class ScenarioPanelTest : public QObject {
     QVERIFY(!nothing->isVisible() && panel_->tree().isVisible());
   }
 
+  void placeholder_isShownWithoutPeopleGoalsAndRobots() {
+    const auto* empty = widgets::findIf<QLabel>(*panel_, [](const QLabel* each) {
+      return each->text().startsWith(QStringLiteral("Nothing on the map yet"));
+    });
+    QVERIFY(empty != nullptr && !empty->isVisible());
+    sim2d::Scenario withRobot = small::scenario();
+    withRobot.humans.clear();
+    withRobot.goals.clear();
+    withRobot.areas.clear();
+    withRobot.docks.clear();
+    sim2d::Scenario bare = withRobot;
+    bare.robots.clear();
+    document_->load(bare);
+    QVERIFY(empty->isVisible());
+    QVERIFY(!withRobot.robots.empty());
+    document_->load(withRobot);
+    QVERIFY(!empty->isVisible());
+  }
+
   void filter_groupThatComesBack_isOpen() {
     const EntityId curious = document_->scenario().humans[2].key;
     panel_->filter().setText(QStringLiteral("curious"));
