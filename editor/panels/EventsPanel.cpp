@@ -183,6 +183,7 @@ void RunEvents::follow() {
   if (runner_.recording() != recording_) {
     recording_ = runner_.recording();
     read_ = 0;
+    reached_.clear();
     events_.clear();
     Q_EMIT cleared();
   }
@@ -190,7 +191,8 @@ void RunEvents::follow() {
   const std::size_t there = recording_ == nullptr ? 0 : recording_->events().size();
   for (; read_ < there; ++read_) {
     const auto& [step, event] = recording_->events()[read_];
-    if (event.kind == EventKind::Stop) {  // The state of the run shows it.
+    const bool isShownElsewhere = event.kind == EventKind::Stop;  // by the state of the run
+    if (isShownElsewhere || continuesStay(step, event)) {
       continue;
     }
     const double time = static_cast<double>(step) * recording_->header()->dt;
@@ -206,6 +208,17 @@ void RunEvents::follow() {
   if (events_.size() > before) {
     Q_EMIT added(static_cast<int>(before), static_cast<int>(events_.size()) - 1);
   }
+}
+
+/// Whether the agent reached the same goal in the step before.
+bool RunEvents::continuesStay(std::int64_t step, const sim2d::Event& event) {
+  if (event.kind != EventKind::Goal) {
+    return false;
+  }
+  const auto [last, isFirst] = reached_.try_emplace(event.id, ReachedGoal{step, event.text});
+  const bool isSame = !isFirst && last->second.goal == event.text && step <= last->second.step + 1;
+  last->second = {step, event.text};
+  return isSame;
 }
 
 /// The goal that an agent reached in this step, from that index on; null: none.

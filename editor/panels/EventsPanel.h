@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <QtWidgets>
@@ -25,7 +27,9 @@ struct RunNote {
   QString text;
 };
 
-/// The events of the run so far; common source for the list, the timeline and the bubbles.
+/// The events of the run so far; common source for the list, the timeline and the bubbles. A person
+/// who stays at the only goal of a repeated route reaches it in each step, as in HuNavSim: of such
+/// a stay only the first event is kept.
 class RunEvents : public QObject {
   Q_OBJECT
  public:
@@ -44,6 +48,7 @@ class RunEvents : public QObject {
   void follow();
   QString textOf(const sim2d::Event& event) const;
   QString nameOfAgent(int id) const;
+  bool continuesStay(std::int64_t step, const sim2d::Event& event);
   RunEvent* lastGoal(std::size_t from, std::int64_t step, int id);
   static QString goalText(const sim2d::Event& event);
 
@@ -53,7 +58,12 @@ class RunEvents : public QObject {
   std::vector<RunNote> notes_;
   RecordingPtr notedRecording_;  // that the notes belong to
   RecordingPtr recording_;
-  std::size_t read_ = 0;  // Number of events of the recording that have been read.
+  struct ReachedGoal {
+    std::int64_t step = 0;
+    std::string goal;
+  };
+  std::map<int, ReachedGoal> reached_;  // The last goal of each agent.
+  std::size_t read_ = 0;                // Number of events of the recording that have been read.
 };
 
 /// Event marks, distinguished by shape as well as colour.

@@ -50,13 +50,15 @@ class TimelineTest : public QObject {
 
   void marks_ofOneKindInOnePlace_areOneWithTheirNumber() {
     const Event goal{EventKind::Goal, 1, true, 0, false, "3"};
-    open({{1.0, goal}, {1.1, goal}, {1.2, goal}, {12.0, goal}, {20.0, goal}, {22.0, goal}});
+    const Event other{EventKind::Goal, 2, true, 0, false, "3"};
+    open({{1.0, goal}, {1.1, other}, {1.2, goal}, {12.0, goal}, {20.0, goal}, {22.0, goal}});
     QCOMPARE(counts(), (std::vector<int>{3, 1, 1, 1}));
   }
 
   void marks_besideANumber_leaveItRoom() {
     const Event goal{EventKind::Goal, 1, true, 0, false, "3"};
-    open({{1.0, goal}, {1.1, goal}, {2.8, goal}, {12.0, goal}, {13.7, goal}});
+    const Event other{EventKind::Goal, 2, true, 0, false, "3"};
+    open({{1.0, goal}, {1.1, other}, {2.8, goal}, {12.0, goal}, {13.7, goal}});
     QCOMPARE(counts(), (std::vector<int>{3, 1, 1}));  // without a number there is room
   }
 
@@ -84,6 +86,32 @@ class TimelineTest : public QObject {
                                  QStringLiteral("4.0 Ben reached Goal 1"),
                                  QStringLiteral("5.0 Ben has arrived")}));
     QVERIFY(events_.events()[1].event.kind == EventKind::Arrived);
+  }
+
+  /// With a single goal that is repeated, HuNavSim reaches it anew in each step.
+  void stay_atTheOnlyGoal_isOneEvent() {
+    const Event goal{EventKind::Goal, 1, true, 0, false, "3"};
+    const Event next{EventKind::Goal, 1, true, 0, false, "4"};
+    const Event other{EventKind::Goal, 2, true, 0, false, "3"};
+    std::vector<std::pair<double, Event>> happened;
+    for (int step = 10; step <= 100; ++step) {
+      happened.push_back({step * kDt, goal});
+    }
+    happened.insert(happened.begin() + 5, {1.4, other});
+    happened.push_back({10.1, next});
+    happened.push_back({10.2, goal});
+    happened.push_back({20.0, goal});
+    open(happened);
+    QStringList texts;
+    for (const editor::RunEvent& event : events_.events()) {
+      texts << QStringLiteral("%1 %2").arg(event.time, 0, 'f', 1).arg(event.text);
+    }
+    QCOMPARE(texts, (QStringList{QStringLiteral("1.0 Ana reached Goal 3"),
+                                 QStringLiteral("1.4 Ben reached Goal 3"),
+                                 QStringLiteral("10.1 Ana reached Goal 4"),
+                                 QStringLiteral("10.2 Ana reached Goal 3"),
+                                 QStringLiteral("20.0 Ana reached Goal 3")}));
+    QCOMPARE(runner_.recording()->events().size(), happened.size());  // the record has all
   }
 
   void texts_ofGoals_nameThem() {
