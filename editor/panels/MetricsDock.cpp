@@ -32,6 +32,7 @@ MetricsDock::MetricsDock(ScenarioDocument& document, MetricsFeed& feed, Simulati
   makeChooser();
   beside_->addWidget(emptyState(tr("Metrics appear when a simulation runs: press Space."), this));
   beside_->addWidget(plot_);
+  beside_->addWidget(noValue_);
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(table_);
   both->addWidget(beside_);
@@ -117,7 +118,6 @@ void MetricsDock::showSelectedPeople() {
 void MetricsDock::showSnapshot() {
   fillChooser();
   table_->showValues();
-  beside_->setCurrentIndex(runner_.recording() == nullptr ? 0 : 1);
   if (table_->currentKey() != keyToShow()) {
     table_->setCurrentKey(keyToShow());
   }
@@ -166,6 +166,24 @@ void MetricsDock::showPlot() {
                                                       : metrics::MetricInfo();
   plot_->show(coreText(info.name), QString::fromStdString(info.unit),
               {{curveOf(feed_.snapshot(), shown_)}});
+  const QString why = result == nullptr ? QString() : reasonWithoutValue(*result);
+  noValue_->setText(why);
+  QWidget* const without = why.isEmpty() ? static_cast<QWidget*>(plot_) : noValue_;
+  runner_.recording() == nullptr ? beside_->setCurrentIndex(0) : beside_->setCurrentWidget(without);
+}
+
+/// Why there is neither a value nor a curve; empty: there is one.
+QString MetricsDock::reasonWithoutValue(const metrics::MetricResult& result) const {
+  const app::MetricTimeSeries* curve = curveOf(feed_.snapshot(), result.info.key);
+  const bool isDrawn = curve != nullptr && std::any_of(curve->values.begin(), curve->values.end(),
+                                                       [](double y) { return std::isfinite(y); });
+  if (isDrawn || result.value.value || result.value.why.empty()) {
+    return {};
+  }
+  const QString name = coreText(result.info.name);
+  return result.info.needs.robot && feed_.robots().empty()
+             ? tr("%1 needs a robot: press B, then click its start and its goal.").arg(name)
+             : tr("%1 has no value: %2").arg(name, QString::fromStdString(result.value.why));
 }
 
 void addMetricsDock(PanelRegistry& to) {

@@ -37,6 +37,7 @@ class MetricsDock : public QWidget {
   void showSelectedPeople();
   void followFilter();
   void showPlot();
+  QString reasonWithoutValue(const metrics::MetricResult& result) const;
   std::string keyToShow() const;
   std::string firstWithCurve() const;
 
@@ -46,7 +47,8 @@ class MetricsDock : public QWidget {
   PersonMetrics people_;
   MetricsTable* table_;
   QComboBox* robot_ = new QComboBox(this);
-  QStackedWidget* beside_ = new QStackedWidget(this);  // The plot, or a hint without a run.
+  QStackedWidget* beside_ = new QStackedWidget(this);  // The plot, or why there is none.
+  QLabel* noValue_ = emptyState({}, this);             // Why the current metric has no value.
   MetricPlot* plot_;
   bool hasChosen_ = false;
   std::string chosen_;  // Key of the metric chosen by the user; empty: the row of a group.

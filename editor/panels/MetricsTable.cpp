@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kNowWidth = 68;
 constexpr int kMetricUnitWidth = 52;
-constexpr int kSparklineWidth = 84;
+constexpr int kSparklineWidth = 96;
 constexpr int kPersonWidth = 72;
 constexpr int kOpenGroups = 2;  // Number of groups that are expanded initially.
 constexpr int kMetricIndent = 16;
@@ -287,6 +287,10 @@ void MetricsTable::fillRow(QTreeWidgetItem& row, const metrics::MetricResult* re
   row.setData(NowColumn, Qt::ForegroundRole, isKnown ? QVariant() : QVariant(pale_));
   const QString why = result == nullptr ? QString() : QString::fromStdString(result->value.why);
   row.setToolTip(NowColumn, why.isEmpty() ? QString() : tr("No value: %1").arg(why));
+  const bool isOfRobot =
+      result != nullptr && !isKnown && result->info.needs.robot && feed_.robots().empty();
+  setTextIfChanged(row, SparklineColumn, isOfRobot ? tr("needs a robot") : QString());
+  row.setData(SparklineColumn, Qt::ForegroundRole, pale_);
 }
 
 void MetricsTable::fillPeople(QTreeWidgetItem& row, const metrics::MetricInfo& info) {

@@ -31,6 +31,10 @@ class WindowTourTest : public QObject, protected quiet::InFolder {
     state.hasGoal = true;
     QCOMPARE(app::tourStepOf(state), TourStep::Goal);  // not assigned yet
     state.hasRoute = true;
+    QCOMPARE(app::tourStepOf(state), TourStep::Robot);
+    state.hasRobot = true;
+    QCOMPARE(app::tourStepOf(state), TourStep::Robot);  // without a goal nothing is measured
+    state.hasRobotGoal = true;
     QCOMPARE(app::tourStepOf(state), TourStep::Run);
     state.hasRun = true;
     QCOMPARE(app::tourStepOf(state), TourStep::Metric);
@@ -61,6 +65,15 @@ class WindowTourTest : public QObject, protected quiet::InFolder {
     hands.clickMap({4.0, 4.0});
     hands.clickMap({8.0, 4.0});
     hands.press(Qt::Key_Return);
+    QCOMPARE(tour().step(), TourStep::Robot);
+    QVERIFY(tour().target() != nullptr && tour().target()->isVisible());
+    quiet::shoot(*window_, "tour-robot");
+    hands.press(Qt::Key_B);
+    QVERIFY(tour().target() == nullptr);
+    hands.clickMap({4.0, 5.5});
+    QCOMPARE(tour().step(), TourStep::Robot);
+    QVERIFY2(tour().text().contains(QStringLiteral("drive to")), qPrintable(tour().text()));
+    hands.clickMap({8.0, 5.5});
     QCOMPARE(tour().step(), TourStep::Run);
     quiet::shoot(*window_, "tour-run");
     hands.press(Qt::Key_Space);
@@ -83,6 +96,12 @@ class WindowTourTest : public QObject, protected quiet::InFolder {
     quiet::shoot(*window_, "tour-metric");
     hands.clickOn(*tree.viewport(), tree.visualItemRect(metric()).center());
     QCOMPARE(tour().step(), TourStep::Done);
+    auto& dock = window_->docks().panel<editor::MetricsDock>();
+    dock.table().search().setText(QStringLiteral("path_length"));
+    QTRY_VERIFY(!dock.plot().figure().curves.empty());
+    const metrics::MetricResult* path =
+        metrics::findResult(window_->workspace().feed().shown(), "path_length");
+    QVERIFY(path != nullptr && path->value.value.has_value());
     quiet::shoot(*window_, "tour-done");
     auto* more =
         widgets::withText<QPushButton>(tour(), QStringLiteral("First scenario in the manual"));

@@ -110,6 +110,36 @@ class MetricsPanelTest : public QObject {
     }
   }
 
+  /// Neither an empty plot nor a dash alone: both say what is missing.
+  void run_withoutARobot_saysWhyThereIsNoValue() {
+    Measured run;
+    sim2d::Scenario scenario = passing();
+    scenario.robots.clear();
+    run.document.load(scenario);
+    run.dock.resize(900, 300);
+    run.dock.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&run.dock));
+    run.run();
+    clickMetric(run.dock, QStringLiteral("path_length"));
+    QCOMPARE(textOf(run.dock, "path_length"), QStringLiteral("–"));
+    QCOMPARE(textOf(run.dock, "path_length", editor::MetricsTable::SparklineColumn),
+             QStringLiteral("needs a robot"));
+    QVERIFY(!run.dock.plot().isVisible());
+    const auto isSaid = [&run](const QString& text) {
+      const QList<QLabel*> labels = run.dock.findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&text](const QLabel* label) {
+        return label->isVisible() && label->text().startsWith(text);
+      });
+    };
+    QVERIFY(isSaid(QStringLiteral("Path length needs a robot: press B")));
+    run.runner.reset();
+    run.document.load(passing());
+    run.run();
+    QTRY_VERIFY(run.dock.plot().isVisible());
+    QVERIFY(!isSaid(QStringLiteral("Path length needs a robot")));
+    QCOMPARE(textOf(run.dock, "path_length", editor::MetricsTable::SparklineColumn), QString());
+  }
+
   void dock_afterARun_equalsEvaluate() {
     Measured run;
     SimulationRunner& runner = run.runner;

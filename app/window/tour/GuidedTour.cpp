@@ -14,7 +14,7 @@ namespace {
 constexpr int kTourWidth = 340;
 constexpr int kMapGap = 16;          // [px] to the corner of the map
 constexpr double kRunSeconds = 2.0;  // simulated time after which the run counts
-constexpr int kTourSteps = 4;
+constexpr int kTourSteps = 5;
 constexpr int kFrameGap = 2;  // [px] around the target
 
 /// A frame that lets the mouse through.
@@ -59,6 +59,8 @@ QString titleOf(TourStep step) {
       return GuidedTour::tr("Place a person");
     case TourStep::Goal:
       return GuidedTour::tr("Give the person a goal");
+    case TourStep::Robot:
+      return GuidedTour::tr("Place a robot");
     case TourStep::Run:
       return GuidedTour::tr("Run the simulation");
     case TourStep::Metric:
@@ -84,11 +86,24 @@ QString goalText(const TourState& state, const Workspace& workspace) {
                    .arg(shortcutOf(toolAction(workspace, QStringLiteral("tool-route"))));
 }
 
+QString robotText(const TourState& state, const Workspace& workspace) {
+  if (state.isRobotTool) {
+    return state.hasRobot ? GuidedTour::tr("Click on the map where the robot should drive to.")
+                          : GuidedTour::tr("Click on the map where the robot should start.");
+  }
+  return (state.hasRobot
+              ? GuidedTour::tr("The robot needs a goal. Press %1 for the robot tool, click where "
+                               "it should start, then where it should drive to.")
+              : GuidedTour::tr("Press %1 or click the robot tool."))
+      .arg(shortcutOf(toolAction(workspace, QStringLiteral("tool-robot"))));
+}
+
 }  // namespace
 
 TourStep tourStepOf(const TourState& state) {
   return !state.hasPerson       ? TourStep::Person
          : !state.hasRoute      ? TourStep::Goal
+         : !state.hasRobotGoal  ? TourStep::Robot
          : !state.hasRun        ? TourStep::Run
          : !state.hasReadMetric ? TourStep::Metric
                                 : TourStep::Done;
@@ -104,19 +119,21 @@ QString tourText(TourStep step, const TourState& state, const WindowActions& act
                        .arg(shortcutOf(toolAction(workspace, QStringLiteral("tool-person"))));
     case TourStep::Goal:
       return goalText(state, workspace);
+    case TourStep::Robot:
+      return robotText(state, workspace);
     case TourStep::Run:
-      return state.isRunning ? GuidedTour::tr("The person walks to the goal …")
+      return state.isRunning ? GuidedTour::tr("Person and robot move to their goals …")
                              : GuidedTour::tr("Press Space, or Play in the tool bar.");
     case TourStep::Metric:
       return state.isMetricsOpen
-                 ? GuidedTour::tr("Click a metric in the list to plot it over time.")
+                 ? GuidedTour::tr(
+                       "Click a metric with a value, such as Path length, to plot it "
+                       "over time.")
                  : GuidedTour::tr("Click Metrics in the status bar at the bottom.");
     case TourStep::Done:
       break;
   }
-  return GuidedTour::tr(
-             "Ctrl+R returns to editing, %1 finds every command, F1 opens the manual. The "
-             "next chapter adds a robot.")
+  return GuidedTour::tr("Ctrl+R returns to editing, %1 finds every command, F1 opens the manual.")
       .arg(shortcutOf(actions.palette));
 }
 
@@ -212,11 +229,17 @@ TourState GuidedTour::stateNow() const {
   state.hasGoal = !scenario.goals.empty();
   state.hasRoute = std::any_of(people.begin(), people.end(),
                                [](const sim2d::Human& human) { return !human.goals.empty(); });
+  const auto& robots = scenario.robots;
+  state.hasRobot = !robots.empty();
+  state.hasRobotGoal = std::any_of(robots.begin(), robots.end(), [](const sim2d::Robot& robot) {
+    return robot.goal.point.has_value() || !robot.goal.goals.empty();
+  });
   state.hasRun = hasRun_;
   state.isRunning = workspace_.runner().state() == SimulationRunner::State::Running;
   state.isPersonTool = isTool("tool-person");
   state.isGoalTool = isTool("tool-goal");
   state.isRouteTool = isTool("tool-route");
+  state.isRobotTool = isTool("tool-robot");
   state.isMetricsOpen = docks_.panel<editor::MetricsDock>().isVisible();
   state.hasReadMetric = hasReadMetric_;
   return state;
@@ -272,6 +295,8 @@ QWidget* GuidedTour::targetOf(TourStep step, const TourState& state) const {
         return state.isGoalTool ? nullptr : toolButton(QStringLiteral("tool-goal"));
       }
       return state.isRouteTool ? nullptr : toolButton(QStringLiteral("tool-route"));
+    case TourStep::Robot:
+      return state.isRobotTool ? nullptr : toolButton(QStringLiteral("tool-robot"));
     case TourStep::Run:
       return state.isRunning ? nullptr : buttonOf(*workspace_.playback().playPause);
     case TourStep::Metric:

@@ -11,17 +11,20 @@ struct TourState {
   bool hasPerson = false;
   bool hasGoal = false;
   bool hasRoute = false;  // a person has a goal
-  bool hasRun = false;    // a run has shown its first seconds
+  bool hasRobot = false;
+  bool hasRobotGoal = false;
+  bool hasRun = false;  // a run has shown its first seconds
   bool isRunning = false;
   bool isPersonTool = false;
   bool isGoalTool = false;
   bool isRouteTool = false;
+  bool isRobotTool = false;
   bool isMetricsOpen = false;
   bool hasReadMetric = false;  // the user has selected a metric
 };
 
 /// The steps of the tour in order.
-enum class TourStep { Person, Goal, Run, Metric, Done };
+enum class TourStep { Person, Goal, Robot, Run, Metric, Done };
 
 /// The first step that is not done. It goes back when the user undoes a step.
 TourStep tourStepOf(const TourState& state);
@@ -30,9 +33,9 @@ TourStep tourStepOf(const TourState& state);
 QString tourText(TourStep step, const TourState& state, const WindowActions& actions,
                  const Workspace& workspace);
 
-/// A card over the map that leads through the first run: place a person, give it a goal, run, read
-/// a metric. It follows what the user really does, in any order, and can be closed at any time. The
-/// button or panel to use next has a frame.
+/// A card over the map that leads through the first run: place a person, give it a goal, place a
+/// robot, run, read a metric. It follows what the user really does, in any order, and can be closed
+/// at any time. The button or panel to use next has a frame.
 class GuidedTour : public QWidget {
   Q_OBJECT
  public:
