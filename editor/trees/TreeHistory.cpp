@@ -309,18 +309,27 @@ void TreeHistory::paintBand(QPainter& painter, const QRect& band,
   }
 }
 
+std::vector<double> TreeHistory::labelledTimes() const {
+  const double length = static_cast<double>(newestStep()) * stepLength();
+  const double perPixel = length / std::max(1, viewport()->width() - kNames - kRightRoom);
+  // Not finer than the steps: several labels would be at the same one.
+  const double tick = std::max(roundStep(perPixel * kTickRoom), stepLength());
+  std::vector<double> times;
+  for (int k = 0; length > 0.0 && k * tick <= length + 1e-9; ++k) {
+    times.push_back(k * tick);
+  }
+  return times;
+}
+
 void TreeHistory::paintAxis(QPainter& painter) const {
   const int y = viewport()->height() - kAxis;
   painter.fillRect(QRect(0, y, viewport()->width(), kAxis), theme_.color(Role::Panel));
   painter.setFont(theme_.font(8.0));
   painter.setPen(theme_.color(Role::TextSecondary));
-  const double length = static_cast<double>(newestStep()) * stepLength();
-  const double perPixel = length / std::max(1, viewport()->width() - kNames - kRightRoom);
-  const double tick = roundStep(perPixel * kTickRoom);
-  for (int k = 0; length > 0.0 && k * tick <= length + 1e-9; ++k) {
-    const int x = xOf(std::llround(k * tick / stepLength()));
+  for (const double time : labelledTimes()) {
+    const int x = xOf(std::llround(time / stepLength()));
     painter.drawText(QRect(x - 40, y, 80, kAxis), Qt::AlignCenter,
-                     QStringLiteral("%1 s").arg(k * tick));
+                     QStringLiteral("%1 s").arg(time));
   }
   if (const FramePtr shown = runner_.shownFrame()) {
     painter.fillRect(QRect(xOf(shown->step), 0, 2, y),

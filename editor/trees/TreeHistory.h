@@ -28,6 +28,7 @@ class TreeHistory : public QAbstractScrollArea {
   QRect bandOf(int node) const;  // In viewport coordinates; null: hidden.
   std::int64_t stepAt(int x) const;
   int xOf(std::int64_t step) const;
+  std::vector<double> labelledTimes() const;  // [s], of the axis.
   QSize sizeHint() const override { return {400, 120}; }
 
  Q_SIGNALS:

@@ -493,6 +493,18 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     QTRY_VERIFY(canvas().shown().statuses.empty());
   }
 
+  void history_atTheFirstStep_hasOneLabelPerPlace() {
+    open("Chloe");
+    runner().stepOnce();
+    QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step == 1 &&
+                runner().state() == State::Paused);
+    const editor::TreeHistory& strip = studio().history();
+    const double dt = runner().recording()->header()->dt;
+    QTRY_COMPARE(strip.labelledTimes(), (std::vector<double>{0.0, dt}));
+    QVERIFY(strip.xOf(1) - strip.xOf(0) > 60);
+    runner().reset();
+  }
+
   void breakpoint_fromTheMenu_isShownAtTheNode() {
     open("Chloe");
     QVERIFY(canvas().shown().breakpoints.empty());
