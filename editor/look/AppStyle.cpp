@@ -148,7 +148,10 @@ QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, 
       break;
     case CT_ToolButton:
       if (widget != nullptr && widget->property(kLinkProperty).toBool()) {
-        result.setWidth(size.width() + 2);
+        constexpr int kCheckedInset = 5;  // [px]
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        const bool isCheckable = button != nullptr && button->isCheckable();
+        result.setWidth(size.width() + 2 + (isCheckable ? 2 * kCheckedInset : 0));
       } else if (widget != nullptr && qobject_cast<QToolBar*>(widget->parentWidget()) != nullptr) {
         result = result.expandedTo(QSize(kToolButton, kToolButton));
         result.setHeight(kToolButton);

@@ -208,10 +208,19 @@ void AppStyle::drawToolButton(QPainter& painter, const QStyleOptionToolButton& b
                               const QWidget* widget) const {
   drawFocusRing(painter, button, QRectF(button.rect));
   const bool link = widget != nullptr && widget->property(kLinkProperty).toBool();
-  const bool on = button.state & (State_On | State_Sunken);
-  if (!link && (on || isHovered(button))) {
-    drawBox(painter, QRectF(button.rect), kButtonRadius,
-            theme_.color(on ? Role::RowSelected : Role::RowHover));
+  const bool isChecked = button.state & State_On;
+  const bool on = isChecked || button.state & State_Sunken;
+  if (link ? isChecked : on || isHovered(button)) {
+    drawBox(painter, link ? onPixels(button.rect) : QRectF(button.rect), kButtonRadius,
+            theme_.color(on ? Role::RowSelected : Role::RowHover),
+            link ? QPen(theme_.color(Role::Accent), 1.0) : QPen(Qt::NoPen));
+  }
+  if (widget != nullptr && widget->objectName() == QLatin1String("qt_toolbar_ext_button")) {
+    constexpr double kApart = 2.5;  // From the centre to each chevron [px].
+    for (const double x : {-kApart, kApart}) {
+      drawChevron(painter, QRectF(button.rect).translated(x, 0.0), 3, true);
+    }
+    return;  // Qt's icon is black in every theme.
   }
   QStyleOptionToolButton label = button;
   label.state &= ~(State_Sunken | State_Raised);
@@ -219,7 +228,7 @@ void AppStyle::drawToolButton(QPainter& painter, const QStyleOptionToolButton& b
     QFont font = button.font;
     font.setUnderline(isHovered(button));
     painter.setFont(font);
-    painter.setPen(isEnabled(button) ? theme_.color(Role::AccentText)
+    painter.setPen(isEnabled(button) ? theme_.color(isChecked ? Role::Text : Role::AccentText)
                                      : theme_.palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(button.rect, Qt::AlignCenter, button.text);
     return;

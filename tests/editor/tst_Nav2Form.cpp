@@ -235,6 +235,26 @@ class Nav2FormTest : public QObject {
     QVERIFY(robot().nav2Values.empty());
   }
 
+  /// Only changed values are wanted and there are none, as after writing them to a file.
+  void changedOnly_withoutChanges_saysSoAndShowsAllAgain() {
+    QToolButton& only = link(QStringLiteral("Changed only"), form());
+    const auto* const hint = form().findChild<QWidget*>(QStringLiteral("nav2_unchanged"));
+    QVERIFY(hint != nullptr && !hint->isVisibleTo(&form()));
+    typeInto("FollowPath.temperature", QStringLiteral("0.2"));
+    refresh();
+    QTest::mouseClick(&only, Qt::LeftButton);
+    QVERIFY(only.isChecked() && !hint->isVisibleTo(&form()));
+    search().setText(QStringLiteral("temperature"));
+    form().tree().setCurrentItem(&row("FollowPath.temperature"));
+    QTest::mouseClick(&link(QStringLiteral("Reset value"), form()), Qt::LeftButton);
+    refresh();
+    QVERIFY(hint->isVisibleTo(&form()) && !form().tree().isVisibleTo(&form()));
+    QVERIFY(widgets::withText<QLabel>(*hint, QStringLiteral("No changed values")) != nullptr);
+    QTest::mouseClick(&link(QStringLiteral("Show all"), *hint), Qt::LeftButton);
+    QVERIFY(!only.isChecked() && !hint->isVisibleTo(&form()));
+    QVERIFY(form().tree().isVisibleTo(&form()) && !row("FollowPath.temperature").isHidden());
+  }
+
   void value_ofTheFileTyped_isNoChange() {
     typeInto("FollowPath.temperature", QStringLiteral("0.2"));
     refresh();

@@ -13,6 +13,7 @@
 #include <QtTest>
 
 #include "editor/look/AppStyle.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 
 using namespace editor;
@@ -258,6 +259,43 @@ class ThemeTest : public QObject {
       QCOMPARE(picture.pixelColor(25, 4), theme.color(Role::Accent));
       QCOMPARE(picture.pixelColor(75, 4), theme.color(Role::Line));
       QVERIFY(contrastRatio(picture.pixelColor(25, 4), picture.pixelColor(75, 4)) >= 3.0);
+    }
+  }
+
+  /// A checked link is filled and framed; its text stays readable.
+  void style_checkedLink_differsFromUncheckedInBothThemes() {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+      AppStyle style(theme);
+      QWidget parent;
+      QToolButton& link = *linkButton(QStringLiteral("Changed only"), QString(), &parent, [] {});
+      link.setCheckable(true);
+      link.setStyle(&style);
+      link.resize(link.sizeHint());
+      const QImage off = link.grab().toImage();
+      link.setChecked(true);
+      const QImage on = link.grab().toImage();
+      QCOMPARE(on.pixelColor(3, on.height() / 2), theme.color(Role::RowSelected));
+      QVERIFY(off.pixelColor(3, off.height() / 2) != theme.color(Role::RowSelected));
+      QVERIFY(contrastRatio(theme.color(Role::Text), theme.color(Role::RowSelected)) >= 4.5);
+    }
+  }
+
+  /// The button of a tool bar for the actions that do not fit is drawn in the colours of the theme.
+  void style_extensionOfAToolBar_isVisibleInBothThemes() {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+      AppStyle style(theme);
+      QToolButton button;
+      button.setObjectName(QStringLiteral("qt_toolbar_ext_button"));
+      button.setAutoRaise(true);
+      button.setStyle(&style);
+      button.setPalette(theme.palette());
+      button.resize(16, 32);
+      const QImage picture = button.grab().toImage();
+      double best = 1.0;
+      for (int x = 0; x < picture.width(); ++x) {
+        best = std::max(best, contrastRatio(picture.pixelColor(x, 16), theme.color(Role::Window)));
+      }
+      QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
     }
   }
 

@@ -118,6 +118,7 @@ Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   }
   search_->setFixedWidth(kNav2SearchWidth);
   nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);
+  unchanged_ = makeUnchanged();
   help_ = secondaryLabel({}, this);
   help_->setObjectName(QStringLiteral("nav2_help"));
   help_->setWordWrap(true);
@@ -130,6 +131,7 @@ Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   layout->addWidget(tabs_);
   layout->addWidget(tree_, 1);
   layout->addWidget(nothing_, 1);
+  layout->addWidget(unchanged_, 1);
   auto* foot = configuredLayout(new QHBoxLayout, {12, 4, 12, 4}, 8);
   foot->addWidget(help_, 1);
   foot->addWidget(reset_);
@@ -137,6 +139,18 @@ Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   connect(search_, &QLineEdit::textChanged, this, &Nav2Form::filter);
   connect(tabs_, &QTabBar::currentChanged, this, &Nav2Form::filter);
   connect(tree_, &QTreeWidget::currentItemChanged, this, &Nav2Form::showHelp);
+}
+
+QWidget* Nav2Form::makeUnchanged() {
+  auto* part = new QWidget(this);
+  part->setObjectName(QStringLiteral("nav2_unchanged"));
+  auto* all = linkButton(tr("Show all"), tr("Show changed and unchanged values"), this,
+                         [this] { onlyChanged_->click(); });
+  unchangedText_->setTextFormat(Qt::PlainText);
+  auto* layout = configuredLayout(new QVBoxLayout(part), {0, 0, 0, 0}, 0, {unchangedText_});
+  layout->addWidget(all, 0, Qt::AlignHCenter);
+  layout->addStretch(1);
+  return part;
 }
 
 void Nav2Form::styleTree() {
@@ -387,7 +401,12 @@ void Nav2Form::filter() {
       group->setExpanded(true);
     }
   }
-  nothing_->setMatchFound(isAny || search_->text().trimmed().isEmpty());
+  const bool isUnchanged = !isAny && onlyChanged_->isChecked() && !rows_.empty();
+  nothing_->setMatchFound(isAny || isUnchanged || search_->text().trimmed().isEmpty());
+  tree_->setVisible(!isUnchanged && tree_->isVisibleTo(this));
+  unchanged_->setVisible(isUnchanged);
+  unchangedText_->setText(changedCount() == 0 ? tr("No changed values")
+                                              : tr("No changed values match the filter"));
 }
 
 /// Shows description, default and file value of the current row.

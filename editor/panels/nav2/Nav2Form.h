@@ -68,6 +68,7 @@ class Nav2Form : public QWidget {
   bool isPending(const app::Nav2Parameter& parameter) const;
   void showTabs();
   void filter();
+  QWidget* makeUnchanged();
   bool isShown(const app::Nav2Parameter& parameter) const;
   void showHelp();
   void resetRow();
@@ -81,6 +82,8 @@ class Nav2Form : public QWidget {
   QTreeWidget* tree_ = new QTreeWidget(this);
   QLabel* help_;
   NoMatchesPlaceholder* nothing_;
+  QLabel* unchangedText_ = emptyState({}, this);
+  QWidget* unchanged_;  // Shown instead of the list if no changed value matches.
   QColor accent_, secondary_, mark_;
   std::optional<sim2d::Robot> robot_;
   QString scenarioPath_;
