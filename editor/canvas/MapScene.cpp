@@ -4,6 +4,7 @@
 
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/RunOverlays.h"
+#include "editor/document/PersonTree.h"
 
 namespace editor {
 
@@ -429,6 +430,12 @@ void MapScene::planRoutes() {
                             document_.mapStopFlag()};
     for (const auto& [id, value] : preview_) {
       putIntoScenario(input.scenario, value);
+    }
+    for (sim2d::Human& human : input.scenario.humans) {
+      if (std::vector<int> goals = walkedGoals(document_, human); goals != human.goals) {
+        human.goals = std::move(goals);
+        human.cyclicGoals = false;
+      }
     }
     return input;
   });

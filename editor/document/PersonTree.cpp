@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
 
 #include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
@@ -142,6 +144,28 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   const bool canSetGoals = result.mainTree() != nullptr && result.mainTree()->root.id == "Fallback";
   result.hasDifferentGoals = canSetGoals && bt::treeGoals(result.table) != human->goals;
   return result;
+}
+
+std::vector<int> walkedGoals(const ScenarioDocument& document, const sim2d::Human& human) {
+  // The text suffices to recognize most trees, and is much faster than reading all trees.
+  static constexpr std::string_view kUseOwnGoals[] = {
+      "RegularNav", "ScaredNav", "SetGroupWalk", "SetGoal", "UpdateGoal", "PassOnSide", "<include"};
+  const std::optional<std::string> text = document.tree(human.key);
+  const auto isUsed = [&text](std::string_view node) { return text->find(node) != text->npos; };
+  if (!text || std::any_of(std::begin(kUseOwnGoals), std::end(kUseOwnGoals), isUsed)) {
+    return human.goals;
+  }
+  const PersonTree tree = personTree(document, human.key);
+  std::vector<int> goals;
+  for (const OutlineNode& node : outlineOf(tree)) {
+    const std::string* goal =
+        node.node->id == "GoTo" ? bt::findAttribute(node.node->ports, "goal_id") : nullptr;
+    const std::optional<int> id = goal == nullptr ? std::nullopt : bt::intFromText(*goal);
+    if (id) {
+      goals.push_back(*id);
+    }
+  }
+  return goals;
 }
 
 QString treeProblemText(const base::Diagnostic& problem, bool isAtNode) {

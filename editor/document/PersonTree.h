@@ -27,6 +27,10 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person);
 /// Returns true for a custom tree that consists of the generated tree and blocks.
 bool hasAutoUpdatedTree(const ScenarioDocument& document, EntityId person);
 
+/// The goals that the person walks to, in order: the person's own, or those of the GoTo nodes of a
+/// custom tree that uses no others. Goals that depend on the blackboard are not included.
+std::vector<int> walkedGoals(const ScenarioDocument& document, const sim2d::Human& human);
+
 /// The message with the name of the node instead of its path: "Wait: port 'seconds' is missing".
 /// `isAtNode`: without the name, for a message that is shown at the node.
 QString treeProblemText(const base::Diagnostic& problem, bool isAtNode = false);

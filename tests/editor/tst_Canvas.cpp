@@ -7,6 +7,7 @@
 #include "editor/canvas/ViewOverlays.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/PersonTree.h"
 
 using namespace editor;
 
@@ -129,6 +130,33 @@ class CanvasTest : public QObject, private CanvasTester {
       }
     }
     QVERIFY(throughGap);
+  }
+
+  /// A custom tree replaces the goals if it does not use them.
+  void routes_ofACustomTree_areThoseOfTheTree() {
+    const EntityId person{EntityKind::Human, 1};
+    const auto routeWith = [&](const char* nodes) {
+      editor::pushTreeText(document_, person,
+                           std::string("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">"
+                                       "<Sequence>") +
+                               nodes + "</Sequence></BehaviorTree></root>",
+                           QStringLiteral("Tree"));
+      scene_.routes().finish();
+      const EntityRoute* route = scene_.routes().route(person);
+      return route == nullptr ? EntityRoute() : *route;
+    };
+    const EntityRoute own = *scene_.routes().route(person);
+    const EntityRoute one = routeWith("<GoTo agent_id=\"{id}\" goal_id=\"2\"/>");
+    QCOMPARE(one.size(), std::size_t{1});
+    QVERIFY(one.front().points.back() == document_.scenario().goal(2)->position);
+    QCOMPARE(editor::walkedGoals(document_, *document_.human(person)), std::vector<int>{2});
+    QVERIFY(routeWith("<AlwaysSuccess/>").empty());
+    QVERIFY(routeWith("<RegularNav agent_id=\"{id}\" dt=\"{dt}\"/>") == own);
+    for (int k = 0; k < 3; ++k) {
+      document_.undoStack().undo();
+    }
+    scene_.routes().finish();
+    QVERIFY(*scene_.routes().route(person) == own);
   }
 
   void routes_ofTenSelectedPeople_showAllLegs() {

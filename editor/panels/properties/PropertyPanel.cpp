@@ -6,6 +6,7 @@
 #include "editor/canvas/Tool.h"
 #include "editor/document/EntityModel.h"
 #include "editor/document/PeopleEdits.h"
+#include "editor/document/PersonTree.h"
 #include "editor/document/RunValues.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
@@ -35,7 +36,8 @@ QString firstGoals(const std::vector<int>& goals) {
   return words.join(QStringLiteral(" → "));
 }
 
-QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) {
+QString aboutPerson(const ScenarioDocument& document, const sim2d::Human& human) {
+  const sim2d::Scenario& scenario = document.scenario();
   const QString number = QObject::tr("Person %1").arg(human.id);
   if (!human.listed) {
     const sim2d::Area* source = base::findIf(scenario.areas, [&](const sim2d::Area& area) {
@@ -45,10 +47,11 @@ QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) 
                              : QObject::tr("Template of people spawned by %1")
                                    .arg(QString::fromStdString(source->name));
   }
-  if (human.goals.empty()) {
-    return number + QObject::tr(" · stands still");
+  const std::vector<int> goals = walkedGoals(document, human);
+  if (!goals.empty()) {
+    return number + QObject::tr(" · goals %1").arg(firstGoals(goals));
   }
-  return number + QObject::tr(" · goals %1").arg(firstGoals(human.goals));
+  return document.tree(human.key) ? number : number + QObject::tr(" · stands still");
 }
 
 QString aboutRobot(const sim2d::Robot& robot) {
@@ -60,9 +63,9 @@ QString aboutRobot(const sim2d::Robot& robot) {
              : planner + QObject::tr(" · goals %1").arg(firstGoals(robot.goal.goals));
 }
 
-QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
+QString aboutOne(const ScenarioDocument& document, const Entity& entity) {
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
-    return aboutPerson(scenario, *human);
+    return aboutPerson(document, *human);
   }
   if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
     return aboutRobot(*robot);
@@ -307,8 +310,11 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
     about_->setText(tr("Scenario · nothing selected"));
   } else {
     name_->setFullText(displayName(*first));
-    const Entity inRun = document_.entityInRun(ids.front()).value_or(*first);
-    const QString one = aboutOne(document_.scenario(), inRun);
+    Entity inRun = document_.entityInRun(ids.front()).value_or(*first);
+    if (auto* human = std::get_if<sim2d::Human>(&inRun)) {
+      human->key = ids.front();  // Of its tree.
+    }
+    const QString one = aboutOne(document_, inRun);
     about_->setText(others == 0 ? one : tr("%1 · and %2").arg(one, rest));
   }
 }
