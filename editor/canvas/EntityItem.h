@@ -17,6 +17,10 @@ struct Label {
   bool isNeeded = false;     // May cover bodies; it is never left out.
   QSizeF size = {};          // Size [px]; valid once the label has been rendered.
   QString detail = {};       // A second line in a softer colour.
+  /// The previous place, which the label keeps while it is free; kNoSide: none, kHiddenSide: it was
+  /// left out, and returns where there is some more space than it needs.
+  int side = kNoSide;
+  static constexpr int kNoSide = -1, kHiddenSide = -2;
 };
 
 /// Base of the canvas items. Items draw in scene coordinates and stay at the origin. They query the

@@ -79,6 +79,7 @@ constexpr double kMarkGapPx = 5.0;
 constexpr double kPadPx = 2.0;
 constexpr double kEdgePx = kHaloPx + 1.0;  // Distance between a name and the edge of the window.
 constexpr std::size_t kMaxPictures = 4000;
+constexpr double kSparePx = 6.0;
 
 QFont labelFont(const Theme& theme) {
   return theme.font(9.0, QFont::Medium);
@@ -120,23 +121,31 @@ std::vector<QRectF> layoutLabels(const std::vector<Label>& labels, const std::ve
                                  const QRectF& window) {
   std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return labels[a].priority > labels[b].priority;
-  });
+  const auto rankOf = [&labels](std::size_t i) {  // Shown ones stay.
+    return std::pair(labels[i].priority, labels[i].side >= 0);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rankOf(a) > rankOf(b); });
   Occupied bodies, placed;
   for (const QRectF& part : taken) {
     bodies.add(part);
   }
   std::vector<QRectF> result(labels.size());
   for (const std::size_t i : order) {
-    const Places places = placesFor(labels[i], window);
+    Places places = placesFor(labels[i], window);
+    if (labels[i].side > 0) {
+      const auto kept = places.begin() + labels[i].side;
+      std::rotate(places.begin(), kept, kept + 1);  // First.
+    }
+    const double spare = labels[i].side == Label::kHiddenSide ? kSparePx : 0.0;
     // A label must touch this area, so that its owner is recognizable.
     const QRectF near = around(labels[i].centre, labels[i].clearancePx + 1.0);
     const auto isOffLabels = [&](const QRectF& place) {
       return window.contains(place) && near.intersects(place) && placed.isFree(place);
     };
     const auto* found = std::find_if(places.begin(), places.end(), [&](const QRectF& place) {
-      return isOffLabels(place) && bodies.isFree(place);
+      const QRectF wider = place.adjusted(-spare, -spare, spare, spare);
+      return isOffLabels(place) && bodies.isFree(wider) && placed.isFree(wider);
     });
     if (found == places.end() && labels[i].isNeeded) {
       found = std::find_if(places.begin(), places.end(), isOffLabels);
@@ -147,6 +156,12 @@ std::vector<QRectF> layoutLabels(const std::vector<Label>& labels, const std::ve
     }
   }
   return result;
+}
+
+int sideOf(const Label& label, const QRectF& place, const QRectF& window) {
+  const Places places = placesFor(label, window);
+  const auto* found = std::find(places.begin(), places.end(), place);
+  return found == places.end() ? Label::kHiddenSide : static_cast<int>(found - places.begin());
 }
 
 QSizeF labelSize(const Theme& theme, const Label& label) {
@@ -179,6 +194,10 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   if (pictures_.size() > kMaxPictures) {
     pictures_.clear();
   }
+  const bool isRun = mapScene().isRunMode();
+  if (!isRun || sides_.size() > kMaxPictures) {
+    sides_.clear();
+  }
   const double pixelsPerMetre = pixelsPerMetreOf(*painter);
   const double ratio = painter->device()->devicePixelRatioF();
   const QTransform toPixels = QTransform::fromScale(pixelsPerMetre, pixelsPerMetre);
@@ -191,6 +210,8 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
     if (window.adjusted(-reach, -reach, reach, reach).contains(label.centre)) {
       pictures.push_back(&pictureOf(label, ratio));
       label.size = pictures.back()->size;
+      const auto side = sides_.find(label.text);
+      label.side = side == sides_.end() ? Label::kNoSide : side->second;
       labels.push_back(std::move(label));
     }
   }
@@ -204,10 +225,13 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
       taken.push_back(inPixels);
     }
   }
-  const std::vector<QRectF> places =
-      layoutLabels(labels, taken, window.adjusted(kEdgePx, kEdgePx, -kEdgePx, -kEdgePx));
+  const QRectF inside = window.adjusted(kEdgePx, kEdgePx, -kEdgePx, -kEdgePx);
+  const std::vector<QRectF> places = layoutLabels(labels, taken, inside);
   const PixelFrame frame(*painter, {});
   for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (isRun) {
+      sides_[labels[i].text] = sideOf(labels[i], places[i], inside);
+    }
     if (!places[i].isNull()) {
       // Aligned to device pixels for sharp letters.
       const QTransform toDevice = painter->worldTransform();

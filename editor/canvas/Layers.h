@@ -54,6 +54,8 @@ QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme);
 /// area around their centre.
 std::vector<QRectF> layoutLabels(const std::vector<Label>& labels, const std::vector<QRectF>& taken,
                                  const QRectF& window);
+/// The `Label::side` of a label that has been placed there, or left out (null).
+int sideOf(const Label& label, const QRectF& place, const QRectF& window);
 
 /// Fine lines every metre, stronger ones every five metres; they fade out when they become too
 /// dense.
@@ -80,6 +82,7 @@ class LabelLayer : public FullLayer {
   using Key = std::tuple<QString, QString, int, bool, int>;
   const Picture& pictureOf(const Label& label, double ratio);
   std::map<Key, Picture> pictures_;
+  std::map<QString, int> sides_;  // Of the labels of bodies during a run, by text.
 };
 
 /// The minimum spanning tree of points as pairs of indices.

@@ -263,6 +263,40 @@ class CanvasTest : public QObject, private CanvasTester {
     }
   }
 
+  /// A label does not change its side while that is free, also if a preferred side becomes free.
+  void layoutLabels_bodyPasses_theSideStays() {
+    Label label = labelAt({0.0, 0.0}, 10.0, {40.0, 12.0}, 1);
+    std::vector<int> sides;
+    for (int x = -60; x <= 60; x += 5) {  // A body passes below.
+      const QRectF body(x - 8.0, 10.0, 16.0, 16.0);
+      const QRectF place = layoutLabels({label}, {body}, kEverywhere).front();
+      QVERIFY(!place.intersects(body));
+      label.side = sideOf(label, place, kEverywhere);
+      if (sides.empty() || sides.back() != label.side) {
+        sides.push_back(label.side);
+      }
+    }
+    QCOMPARE(sides, (std::vector<int>{0, 1}));  // Below, then above.
+  }
+
+  /// One that was left out returns when there is some more space than it needs.
+  void layoutLabels_leftOut_returnsWithSpareRoom() {
+    Label label = labelAt({0.0, 0.0}, 10.0, {40.0, 12.0}, 1);
+    label.side = Label::kHiddenSide;
+    const auto walls = [](double gap) {  // Above, and below at a distance.
+      return std::vector<QRectF>{QRectF(-200.0, -200.0, 400.0, 205.0),
+                                 QRectF(-200.0, 22.0 + gap, 400.0, 200.0)};
+    };
+    QVERIFY(layoutLabels({label}, walls(1.0), kEverywhere).front().isNull());
+    label.side = Label::kNoSide;
+    QVERIFY(!layoutLabels({label}, walls(1.0), kEverywhere).front().isNull());
+    Label shown = label;
+    shown.side = 0;
+    label.side = Label::kHiddenSide;
+    const std::vector<QRectF> places = layoutLabels({label, shown}, walls(1.0), kEverywhere);
+    QVERIFY(places[0].isNull() && !places[1].isNull());  // The shown one stays.
+  }
+
   void layoutLabels_noRoom_onlyTheNeededOneCoversBodies() {
     const QRectF body(-200.0, -200.0, 400.0, 400.0);
     const Label label = labelAt({0.0, 0.0}, 10.0, {40.0, 12.0}, 1);
