@@ -14,6 +14,12 @@ double toStep(double value, double step) {
   return editor::rounded(std::round(value / step) * step);
 }
 
+/// With that number of decimals; not "-0.0".
+QString fixedText(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return QString::number(std::round(value * scale) / scale + 0.0, 'f', decimals);
+}
+
 Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
   const Vec2 offset = world - anchor;
   const Vec2 direction = base::directionOf(snappedAngle(base::headingOf(offset)));
@@ -146,11 +152,11 @@ bool isDrag(const Vec2& from, const CanvasMouse& mouse) {
 }
 
 QString placeText(const Vec2& world) {
-  return QStringLiteral("%1, %2 m").arg(world.x(), 0, 'f', 2).arg(world.y(), 0, 'f', 2);
+  return QStringLiteral("%1, %2 m").arg(fixedText(world.x(), 2), fixedText(world.y(), 2));
 }
 
 QString headingText(double heading) {
-  return QStringLiteral("%1°").arg(heading * 180.0 / base::kPi, 0, 'f', 1);
+  return fixedText(heading * 180.0 / base::kPi, 1) + QStringLiteral("°");
 }
 
 QString legText(const Vec2& from, const Vec2& to) {

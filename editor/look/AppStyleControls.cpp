@@ -196,6 +196,9 @@ void AppStyle::drawSlider(QPainter& painter, const QStyleOptionSlider& slider,
   const double right = slider.rect.right();
   painter.setPen(QPen(theme_.color(Role::Line, alpha), 3.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
+  if (!slider.subControls.testFlag(SC_SliderHandle)) {  // of several values
+    return;
+  }
   painter.setPen(QPen(theme_.color(Role::Accent, alpha), 3.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(handle.center().x(), y));
   setPenAndBrush(painter, QPen(theme_.color(Role::Accent, alpha), 2.0),

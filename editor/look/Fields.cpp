@@ -18,6 +18,8 @@ constexpr int kMaxDecimals = 6;  // The maximum number of decimals shown.
 constexpr double kLong = 1e15;   // Larger numbers are shown with an exponent.
 constexpr int kWidest = 130;     // Maximum width [px].
 constexpr int kTipOffset = 14;   // Qt places a tooltip below the pointer [px].
+constexpr int kTipMargins = 12;  // Of a tooltip, both sides [px].
+constexpr int kLeastTip = 180;   // Width of a tooltip near the right edge of the screen [px].
 
 double roundedTo(double value, int decimals) {
   return QString::number(value, 'f', decimals).toDouble();
@@ -25,6 +27,20 @@ double roundedTo(double value, int decimals) {
 
 QString unitSuffix(const QString& unit) {
   return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit;
+}
+
+/// Broken at spaces into lines of at most that width [px].
+QString brokenInto(int width, const QString& text, const QFontMetrics& metrics) {
+  QStringList lines;
+  for (const QString& word : text.split(QLatin1Char(' '))) {
+    const QString longer = lines.isEmpty() ? word : lines.back() + QLatin1Char(' ') + word;
+    if (lines.isEmpty() || metrics.horizontalAdvance(longer) > width) {
+      lines << word;
+    } else {
+      lines.back() = longer;
+    }
+  }
+  return lines.join(QLatin1Char('\n'));
 }
 
 void setInvalid(QWidget& widget, bool invalid) {
@@ -63,13 +79,31 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
     QString typed = text;
     int position = 0;
     isTypedValid_ = validate(typed, position) == QValidator::Acceptable;
+    typed_ = text;
   });
-  connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
-    if (!std::exchange(isTypingOverMixed_, false)) {
-      return;
-    }
-    isTypedValid_ ? take(value()) : showMixed();  // The typed number may equal one of the values.
-  });
+  connect(this, &QAbstractSpinBox::editingFinished, this, &NumberField::finishTyping);
+}
+
+void NumberField::finishTyping() {
+  const bool isValid = std::exchange(isTypedValid_, true);
+  if (std::exchange(isTypingOverMixed_, false)) {
+    isValid ? take(value()) : showMixed();  // The typed number may equal one of the values.
+  }
+  if (!isValid) {
+    const QString wrong = refusalOf(typed_);
+    later(*this,
+          [this, wrong] { explainRefusal(*this, rect(), wrong); });  // The focus moves first.
+  }
+}
+
+/// "must be 0.10 to 1.00 m"
+QString NumberField::refusalOf(const QString& typed) const {
+  const std::optional<double> number = base::parseDouble(bare(typed).toStdString());
+  const QString range = rangeText();
+  const bool isNumber = number && std::isfinite(*number);
+  return isNumber          ? tr("must be %1").arg(range)
+         : range.isEmpty() ? tr("not a number")
+                           : tr("not a number; must be %1").arg(range);
 }
 
 /// "0.00 to 5.00 m", "above 0.00 m"; empty if any number is allowed.
@@ -149,16 +183,23 @@ void NumberField::fitSoon() {
   fit_.start();
 }
 
-/// Leaves out the unit first, then decimals. Text that is being typed stays as it is.
+/// Leaves out zeros at the end first, then the unit, then decimals. Text that is being typed stays
+/// as it is.
 void NumberField::fitText() {
   const bool isTyped = lineEdit()->hasFocus() && lineEdit()->isModified();
   if (!isVisible() || mixed_ || isTyped) {
     return;
   }
   const QString whole = textWith(value(), kMaxDecimals);
-  const QString unit = fits(whole + unitText()) ? unitText() : QString();
   int decimals = kMaxDecimals;
-  while (decimals > 0 && !fits(textWith(value(), decimals))) {
+  while (decimals > 0 && !fits(textWith(value(), decimals) + unitText())) {
+    --decimals;
+  }
+  const bool isWhole = textWith(value(), decimals).toDouble() == whole.toDouble();
+  const QString unit =
+      isWhole && fits(textWith(value(), decimals) + unitText()) ? unitText() : QString();
+  decimals = isWhole && unit == unitText() ? decimals : kMaxDecimals;
+  while (decimals > 0 && !fits(textWith(value(), decimals) + unit)) {
     --decimals;
   }
   const bool isChanged = decimals != mostDecimals_ || unit != suffix();
@@ -243,7 +284,8 @@ QString NumberField::textWith(double value, int mostDecimals) const {
          roundedTo(value, decimals) != shown) {
     ++decimals;
   }
-  return QString::number(value, 'f', decimals);
+  const bool isZero = roundedTo(value, decimals) == 0.0;
+  return QString::number(isZero ? 0.0 : value, 'f', decimals);  // Not "-0.0".
 }
 
 double NumberField::valueFromText(const QString& text) const {
@@ -257,6 +299,7 @@ double NumberField::valueFromText(const QString& text) const {
 
 void NumberField::stepBy(int steps) {
   mixed_ = false;
+  isTypedValid_ = true;
   QString text = lineEdit()->text();
   int position = 0;
   const double from =
@@ -319,6 +362,22 @@ LinkedSlider::LinkedSlider(NumberField& field, double maximum, QWidget* parent)
                               std::min(field_.shownDecimals(), 2)));
   });
   follow(field_.value());
+  if (const auto* text = field_.findChild<QLineEdit*>()) {  // Several values have the text "–".
+    connect(text, &QLineEdit::textChanged, this, qOverload<>(&QSlider::update));
+  }
+}
+
+void LinkedSlider::paintEvent(QPaintEvent* event) {
+  if (!field_.isMixed()) {
+    QSlider::paintEvent(event);
+    return;
+  }
+  QStyleOptionSlider groove;
+  initStyleOption(&groove);
+  groove.subControls = QStyle::SC_SliderGroove;
+  groove.sliderPosition = groove.sliderValue = groove.minimum;
+  QPainter painter(this);
+  style()->drawComplexControl(QStyle::CC_Slider, &groove, &painter, this);
 }
 
 ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
@@ -357,19 +416,34 @@ void TextField::commit() {
   if (property(kInvalidProperty).toBool()) {
     const QString wrong = toolTip();
     show(shown_);
-    later(*this, [this, wrong] { explainRefusal(wrong); });  // The focus moves first.
+    QWidget* const viewport = parentWidget();
+    const bool isInList = viewport != nullptr &&
+                          qobject_cast<QAbstractItemView*>(viewport->parentWidget()) != nullptr;
+    QWidget& at = isInList ? *viewport : *this;  // A list closes its editor.
+    later(at, [&at, place = isInList ? geometry() : rect(), wrong] {
+      explainRefusal(at, place, wrong);  // The focus moves first.
+    });
     return;
   }
   shown_ = text();
   Q_EMIT edited(shown_);
 }
 
-/// Says why a text was discarded, below the field.
-void TextField::explainRefusal(const QString& wrong) {
-  if (isVisible()) {
-    QToolTip::showText(mapToGlobal(QPoint(0, height() - kTipOffset)), tr("Not used: %1").arg(wrong),
-                       this);
+/// At the right edge of the screen the text has several lines: Qt would move it over the labels.
+void explainRefusal(QWidget& at, const QRect& place, const QString& wrong) {
+  if (!at.isVisible()) {
+    return;
   }
+  const QString text = TextField::tr("Not used: %1").arg(wrong);
+  const QFontMetrics metrics(QToolTip::font());
+  const int left = at.mapToGlobal(place.topLeft()).x();
+  const int end = at.screen()->availableGeometry().right() - kTipMargins;
+  const int width = std::max(kLeastTip, end - left - kTipMargins);
+  const QString lines = brokenInto(width, text, metrics);
+  const int needed = metrics.boundingRect(QRect(0, 0, width, 1000), 0, lines).width();
+  const QPoint below(std::min(left, end - kTipMargins - needed),
+                     at.mapToGlobal(place.bottomLeft()).y() + 1 - kTipOffset);
+  QToolTip::showText(below, lines, &at);
 }
 
 namespace {

@@ -12,7 +12,7 @@ namespace editor {
 /// from a file keeps all its digits, of which up to six decimals are shown. If they do not fit,
 /// the unit and decimals are left out rather than cut off, and the tooltip has the whole number. A
 /// value that the scenario leaves out is shown in the secondary colour. A dash stands for several
-/// values.
+/// values. A tip says why a number was not accepted.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
  public:
@@ -59,6 +59,8 @@ class NumberField : public QDoubleSpinBox {
   QString textWith(double value, int mostDecimals) const;
   QString unitText() const;
   void take(double value);
+  void finishTyping();
+  QString refusalOf(const QString& typed) const;
   void setSecondaryColor(bool pale);
   QString bare(const QString& text) const;
   QString rangeText() const;
@@ -66,7 +68,8 @@ class NumberField : public QDoubleSpinBox {
   QString unit_, singularUnit_;
   bool mixed_ = false;
   bool isTypingOverMixed_ = false;  // The user types while the field shows several values.
-  bool isTypedValid_ = false;
+  bool isTypedValid_ = true;
+  QString typed_;  // Typed since the last commit, if invalid.
   bool default_ = false;
   bool showing_ = false;
   int mostDecimals_;          // Of which there is room.
@@ -74,13 +77,14 @@ class NumberField : public QDoubleSpinBox {
   QTimer fit_;                // Fits the text once after several changes.
 };
 
-/// A slider beside a NumberField; both show the same number.
+/// A slider beside a NumberField; both show the same number. Of several values it has no handle.
 class LinkedSlider : public QSlider {
   Q_OBJECT
  public:
   LinkedSlider(NumberField& field, double maximum, QWidget* parent = nullptr);
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 
  private:
@@ -119,10 +123,12 @@ class TextField : public QLineEdit {
  private:
   void judge();
   void commit();
-  void explainRefusal(const QString& wrong);
   Check check_;
   QString hint_, shown_;
 };
+
+/// Says below a field, or its place in a list, why its text was discarded.
+void explainRefusal(QWidget& at, const QRect& place, const QString& wrong);
 
 /// Commits the text being typed in a field of the window, as losing the focus does. The field keeps
 /// the focus.

@@ -9,7 +9,10 @@
 #include "editor/look/TableExport.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/properties/PropertyPage.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Fields.h"
 
 namespace editor {
 
@@ -33,6 +36,36 @@ QString placeOf(const base::Diagnostic& issue, const QString& ownFile) {
   return issue.line > 0 ? file + QStringLiteral(":%1").arg(issue.line) : file;
 }
 
+/// The label of a key in the forms; empty: none of these tables has it.
+template <class... Owners>
+QString labelOfKey(const std::string& key) {
+  QString label;
+  const auto look = [&label](const auto* field) {
+    label = field != nullptr && label.isEmpty() ? labelOf(field->spec) : label;
+  };
+  (look(sim2d::fieldOf<Owners>(key)), ...);
+  return label;
+}
+
+/// "max_vel 99 is …" as "Top speed (max_vel) 99 is …", because forms do not show keys.
+QString withLabel(const base::Diagnostic& issue, QString text) {
+  const auto* const key = base::findIf(
+      issue.values, [](const auto& value) { return value.first == std::string_view("key"); });
+  if (key == nullptr) {
+    return text;
+  }
+  const EntityKind kind = issue.entity.kind;
+  const QString label =
+      kind == EntityKind::Human
+          ? labelOfKey<sim2d::Human, sim2d::Behavior, sim2d::PersonExtension>(key->second)
+      : kind == EntityKind::Robot ? labelOfKey<sim2d::Robot>(key->second)
+      : kind == EntityKind::Area  ? labelOfKey<sim2d::Area>(key->second)
+                                  : QString();
+  const QString name = QString::fromStdString(key->second);
+  const int at = label.isEmpty() ? -1 : text.indexOf(name + QLatin1Char(' '));
+  return at < 0 ? text : text.replace(at, name.size(), QStringLiteral("%1 (%2)").arg(label, name));
+}
+
 /// Removes duplicates: problems with the same message about the same entity, wherever they were
 /// found.
 base::Diagnostics withoutRepeatedIssues(const base::Diagnostics& all) {
@@ -53,7 +86,7 @@ base::Diagnostics withoutRepeatedIssues(const base::Diagnostics& all) {
 QString issueSentence(const base::Diagnostic& issue) {
   const QString text = base::startsWith(issue.code, "tree.")
                            ? treeProblemText(issue)
-                           : QString::fromStdString(issue.message);
+                           : withLabel(issue, QString::fromStdString(issue.message));
   const EntityKind about = issue.entity.kind;
   const bool isNamed =
       about != EntityKind::None && about != EntityKind::Scenario && about != EntityKind::Goal;
@@ -180,10 +213,7 @@ void IssuesPanel::applyFix(const base::Diagnostic& issue) {
 
 void IssuesPanel::offerMenu(const QPoint& at) {
   const QModelIndex index = table_->indexAt(at);
-  if (!index.isValid()) {
-    return;
-  }
-  if (issueAt(index.row()) == nullptr) {
+  if (!index.isValid() || issueAt(index.row()) == nullptr) {
     return;
   }
   const base::Diagnostic issue = *issueAt(index.row());

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/panels/properties/EntityPages.h"
@@ -343,6 +344,96 @@ class FieldFormsTest : public QObject {
     QTest::keyClicks(&field, QStringLiteral("good"));
     QTest::keyClick(&field, Qt::Key_Return);
     QCOMPARE(edited.count(), 1);
+  }
+
+  /// Not a number, or none of the range: the tip says which is allowed, with the unit.
+  void number_refused_isExplained_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("tip");
+    QTest::newRow("outside") << QStringLiteral("-1")
+                             << QStringLiteral("Not used: must be 0.10 to 1.00 m");
+    QTest::newRow("no number") << QStringLiteral("abc")
+                               << QStringLiteral("Not used: not a number; must be 0.10 to 1.00 m");
+  }
+  void number_refused_isExplained() {
+    QFETCH(QString, typed);
+    QFETCH(QString, tip);
+    QWidget window;
+    auto* layout = new QVBoxLayout(&window);
+    auto* field = new NumberField({0.1, 1.0, 2, 0.05}, QStringLiteral("m"), &window);
+    auto* next = new QLineEdit(&window);
+    layout->addWidget(field);
+    layout->addWidget(next);
+    field->show(0.35, false);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QSignalSpy edited(field, &NumberField::edited);
+    const auto said = [] { return QToolTip::text().replace(QLatin1Char('\n'), QLatin1Char(' ')); };
+    for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Tab}) {
+      QToolTip::hideText();
+      QTRY_VERIFY(!QToolTip::isVisible());
+      field->setFocus();
+      field->selectAll();
+      QTest::keyClicks(field, typed);
+      QTest::keyClick(field, end);
+      QTRY_COMPARE(said(), tip);
+      QCOMPARE(field->value(), 0.35);
+    }
+    QToolTip::hideText();
+    QTRY_VERIFY(!QToolTip::isVisible());
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("0.5"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(edited.count(), 1);
+    QTest::keyClick(field, Qt::Key_Tab);
+    QCoreApplication::processEvents();
+    QVERIFY(!QToolTip::isVisible());
+  }
+
+  /// The unit is worth more than zeros at the end.
+  void unit_ofALongNumber_staysBeforeZeros() {
+    NumberField field({0.0, 1000.0, 2, 0.1}, QStringLiteral("m/s"));
+    field.QWidget::show();
+    QVERIFY(QTest::qWaitForWindowExposed(&field));
+    const QLineEdit& line = *field.findChild<QLineEdit*>();
+    field.show(99.0, false);
+    field.resize(300, 24);
+    QTRY_COMPARE(line.text(), QStringLiteral("99.00 m/s"));
+    const int spare = line.width() - line.fontMetrics().horizontalAdvance(line.text());
+    field.resize(300 - spare, 24);  // without the margins of the text
+    QTRY_VERIFY2(
+        line.text() == QStringLiteral("99 m/s") || line.text() == QStringLiteral("99.0 m/s"),
+        qPrintable(line.text()));
+    QCOMPARE(field.value(), 99.0);
+  }
+
+  void zero_hasNoSign() {
+    NumberField field({-180.0, 180.0, 1, 5.0}, QStringLiteral("°"));
+    field.show(-0.0, false);
+    QCOMPARE(field.text(), QStringLiteral("0.0°"));
+    QCOMPARE(editor::headingText(-1e-5), QStringLiteral("0.0°"));
+    QCOMPARE(editor::headingText(-0.5 * base::kPi), QStringLiteral("-90.0°"));
+    QCOMPARE(editor::placeText({-0.001, -1.5}), QStringLiteral("0.00, -1.50 m"));
+  }
+
+  /// Of several values none is marked.
+  void slider_ofSeveralValues_hasNoHandle() {
+    NumberField field({0.0, 2.0, 2, 0.1}, QStringLiteral("m/s"));
+    editor::LinkedSlider slider(field, 2.0);
+    slider.resize(120, 24);
+    const auto picture = [&slider] { return slider.grab().toImage(); };
+    field.show(2.0, false);
+    const QImage high = picture();
+    field.show(1.0, false);
+    QVERIFY(picture() != high);
+    field.showMixed();
+    const QImage mixed = picture();
+    field.show(0.5, false);
+    const QImage single = picture();
+    QVERIFY(mixed != single);
+    field.showMixed();
+    QCOMPARE(picture(), mixed);  // whatever the field had before
   }
 
   void digits_inANarrowField_areNotCut() {

@@ -77,6 +77,19 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(editor::issueSentence(base::error("run.failed", {message.toStdString()})), shown);
   }
 
+  /// The form has labels, the file keys.
+  void sentence_ofAKey_hasTheLabelOfTheForm() {
+    open(0, personWithUnknownGoal());
+    base::Diagnostic found = base::withContext(
+        "Ana", base::warning("scenario.implausible", {"max_vel", 99.0, 0.0, 4.0, "m/s"}));
+    found.entity = ana().key;
+    QCOMPARE(editor::issueSentence(found),
+             QStringLiteral("Ana: Top speed (max_vel) 99 is implausible: usual values are 0 to 4 "
+                            "m/s"));
+    found.entity = {};  // of a kind without a form
+    QVERIFY(editor::issueSentence(found).contains(QStringLiteral("Ana: max_vel 99")));
+  }
+
   /// The check and whoever meets the problem next have different words for it.
   void issues_sameProblemInOtherWords_isToldOnce_data() {
     QTest::addColumn<QByteArray>("code");

@@ -215,6 +215,9 @@ class Nav2FormTest : public QObject {
     QTest::keyClick(field, Qt::Key_Return);
     QVERIFY(robot().nav2Values.empty());
     QCOMPARE(row("FollowPath.temperature").text(1), QStringLiteral("0.3"));
+    QTRY_VERIFY2(QToolTip::text().startsWith(QStringLiteral("Not used: ")),
+                 qPrintable(QToolTip::text()));  // below the row, after its field is closed
+    QToolTip::hideText();
   }
 
   void change_takenBack_byDeleteAndByTheLinks() {

@@ -60,6 +60,18 @@ class Nav2ValueDelegate : public RowDelegate {
     }
   }
 
+ protected:
+  /// Values are shown with their unit, and edited without it.
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    RowDelegate::initStyleOption(option, index);
+    const app::Nav2Parameter* const parameter = parameterAt(index);
+    const bool isValue = index.column() == Nav2ValueColumn || index.column() == Nav2FileColumn;
+    if (isValue && parameter != nullptr && !parameter->unit.empty() &&
+        option->text != QStringLiteral("–")) {
+      option->text += QLatin1Char(' ') + QString::fromStdString(parameter->unit);
+    }
+  }
+
  private:
   const app::Nav2Parameter* parameterAt(const QModelIndex& index) const {
     return form_.parameterOf(index.sibling(index.row(), 0).data(kNav2ParameterRole));

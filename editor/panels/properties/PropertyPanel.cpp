@@ -140,9 +140,8 @@ class RunStateSection : public FormSection {
     }
     const auto i = static_cast<std::size_t>(found - bodies.id.begin());
     const double speed = std::sqrt(bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]);
-    const double degrees = bodies.heading[i] * 180.0 / base::kPi;
     position_->setText(placeText({bodies.x[i], bodies.y[i]}));
-    heading_->setText(QStringLiteral("%1°").arg(degrees, 0, 'f', 1));
+    heading_->setText(headingText(bodies.heading[i]));
     speed_->setText(QStringLiteral("%1 m/s").arg(speed, 0, 'f', 2));
     goal_->setText(bodies.goal[i] == sim2d::kNoGoal ? tr("none") : goalName(bodies.goal[i]));
     return i;
