@@ -143,6 +143,13 @@ void ToolOptionsBar::keyPressEvent(QKeyEvent* event) {
   event->setAccepted(event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter);
 }
 
+void ToolOptionsBar::passToMap(const QMouseEvent& event) {
+  QWidget& map = *view_.viewport();
+  QMouseEvent passed(event.type(), map.mapFrom(&view_, mapToParent(event.pos())), event.windowPos(),
+                     event.screenPos(), event.button(), event.buttons(), event.modifiers());
+  QCoreApplication::sendEvent(&map, &passed);
+}
+
 void ToolOptionsBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintLegendBackground(painter, view_.mapScene().theme(),

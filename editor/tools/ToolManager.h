@@ -48,7 +48,7 @@ class ToolManager : public QObject {
 };
 
 /// A bar over the upper left corner of the canvas with the options of the current tool; hidden if
-/// the tool has none.
+/// the tool has none. Between its fields the canvas receives the mouse.
 class ToolOptionsBar : public QWidget {
   Q_OBJECT
  public:
@@ -57,8 +57,13 @@ class ToolOptionsBar : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override { passToMap(*event); }
+  void mouseMoveEvent(QMouseEvent* event) override { passToMap(*event); }
+  void mouseReleaseEvent(QMouseEvent* event) override { passToMap(*event); }
+  void mouseDoubleClickEvent(QMouseEvent* event) override { passToMap(*event); }
 
  private:
+  void passToMap(const QMouseEvent& event);
   void showFor(Tool* tool);
   void place();
 

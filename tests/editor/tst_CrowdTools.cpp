@@ -357,6 +357,30 @@ class CrowdToolsTest : public QObject, private CanvasTester {
     QCOMPARE(scenario().humans.size(), std::size_t{7});
   }
 
+  /// A drag may start below the bar, except at its fields.
+  void optionsBar_dragFromIt_drawsOnTheMap() {
+    ToolOptionsBar bar(tools_, view_);
+    use("Fill");
+    view_.zoomBy(1.4);  // The corner of the map is below the bar.
+    const auto* label = bar.findChild<QLabel*>();
+    QVERIFY(bar.isVisible() && label != nullptr && label->isVisible());
+    for (const QPoint& start :
+         {QPoint(3, bar.height() / 2), label->mapTo(&bar, label->rect().center())}) {
+      const QPoint from = bar.mapTo(view_.window(), start);
+      const QWidget* hit = view_.window()->childAt(from);
+      QVERIFY(hit == label || hit == &bar);
+      QTest::mouseMove(window(), from);
+      QTest::mousePress(window(), Qt::LeftButton, {}, from);
+      move(Vec2(4.0, 4.0));
+      move(Vec2(5.0, 2.0));
+      release(Vec2(5.0, 2.0));
+      QVERIFY(!scenario().humans.empty());
+      undo();
+      QVERIFY(scenario().humans.empty());
+    }
+    view_.fitAll(false);
+  }
+
  private:
   FillTool& fill() { return *static_cast<FillTool*>(tool("Fill")); }
   BrushTool& brush() { return *static_cast<BrushTool*>(tool("Brush")); }
