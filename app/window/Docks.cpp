@@ -108,6 +108,8 @@ void Docks::addTimeline() {
   connect(&context_, &editor::PanelContext::themeChanged, timeline, &editor::TimelineBar::setTheme);
   connect(&context_, &editor::PanelContext::comparedChanged, timeline,
           &editor::TimelineBar::setCompared);
+  connect(timeline, &editor::TimelineBar::timeAfterEndChosen, &context_,
+          &editor::PanelContext::timeAfterEndChosen);
   timeline->setMenuActions({workspace_.playback().branchHere});
   timelineBar_ = new QToolBar(tr("Timeline"), &window_);
   timelineBar_->setObjectName(QStringLiteral("timeline"));

@@ -14,6 +14,7 @@ namespace {
 constexpr double kSamePlace = 0.05;  // Closer bodies of two runs are at the same place [m].
 constexpr double kLetterPx = 9.0;    // Minimum body radius for drawing the letter.
 constexpr double kMinOutlinePx = 5.0;
+constexpr double kEndedAlpha = 0.45;  // Of ghosts of runs that have ended.
 
 constexpr std::size_t kMaxPeople = 60;  // Above that only trajectories with contacts.
 constexpr double kCrossPx = 5.0;
@@ -156,9 +157,10 @@ void GhostLayer::paintGhost(QPainter& painter, const Ghost& ghost) const {
   const GhostStyle style = ghostStyle(ghost.style, theme());
   const BodyStyles bodies(document(), *ghost.header);
   const double scale = pixelsPerMetreOf(painter);
+  const double strength = ghost.hasEnded ? kEndedAlpha : 1.0;
   const std::map<int, Vec2> here = placesIn(shown_);
   const auto penOf = [&](double width, double alpha) {
-    QPen pen = screenPen(painter, withAlpha(style.color, alpha), width);
+    QPen pen = screenPen(painter, withAlpha(style.color, strength * alpha), width);
     if (!style.dashes.isEmpty()) {
       pen.setDashPattern(style.dashes);
     }

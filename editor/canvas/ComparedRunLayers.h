@@ -63,6 +63,7 @@ class GhostLayer : public FullLayer {
     sim2d::FramePtr frame;
     std::shared_ptr<const sim2d::TraceHeader> header;
     std::map<int, std::vector<Vec2>> trails;  // By id, up to the current positions [m].
+    bool hasEnded = false;                    // Its last state; drawn fainter.
   };
   using FullLayer::FullLayer;
   /// `shown`: the state of the run that they are compared with; null: all bodies are drawn.

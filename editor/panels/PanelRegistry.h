@@ -50,6 +50,7 @@ class PanelContext : public QObject {
   void treeIssueRequested(const base::Diagnostic& issue);  // Requests showing the faulty node.
   void treePictureRequested(editor::EntityId person);      // Requests saving the picture of a tree.
   void comparedChanged(const std::vector<editor::TimelineRun>& runs);
+  void timeAfterEndChosen(double time);  // As TimelineBar::timeAfterEndChosen().
   /// Requests showing a widget beside the canvas, `columns` times as wide as the canvas; null:
   /// none.
   void sideViewRequested(QWidget* view, int columns);

@@ -263,6 +263,56 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY(compared.lengths().contains(text("Different lengths")));
   }
 
+  /// The longest displayed run is reached on the timeline; shorter ones are marked and faded.
+  void runs_ofDifferentLength_areMarkedAfterTheirEnd_data() {
+    QTest::addColumn<double>("here");
+    QTest::newRow("this run is shorter") << 2.0;
+    QTest::newRow("the other run is shorter") << 4.0;
+  }
+  void runs_ofDifferentLength_areMarkedAfterTheirEnd() {
+    QFETCH(double, here);
+    const bool isShorter = here < 3.0;
+    const double late = isShorter ? 2.6 : 3.6;
+    const QTemporaryDir folder;
+    const QString other = folder.filePath(text("other"));
+    QCOMPARE(
+        runProgram("run % -q -o % --duration 3 --planner dwa", {quiet::demoPath(), other}).exitCode,
+        0);
+    runDemo(here);
+    window_->docks().show({text("runs")});
+    runs().addRecorded(other);
+    QTRY_COMPARE(runs().list().topLevelItemCount(), 2);
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    const editor::SideView& view = *runs().sideBySide()->views().front();
+    const auto titleOfCanvas = [this] {
+      return widgets::findIf<QLabel>(*window_,
+                                     [](const QLabel* each) {
+                                       return each->isVisible() &&
+                                              each->text().startsWith(text("A  "));
+                                     })
+          ->text();
+    };
+    clickTimeline(1.0);
+    QVERIFY(!view.hasEnded());
+    QVERIFY(!view.title().contains(text("ended")) && !titleOfCanvas().contains(text("ended")));
+    clickTimeline(late);
+    QVERIFY(std::abs(timeline().pointedTime() - late) < 0.11);
+    QVERIFY(std::abs(view.scene().frameLayer().frame()->time - std::min(late, 3.0)) < 0.11);
+    QCOMPARE(view.hasEnded(), !isShorter);
+    const QString marked = isShorter ? titleOfCanvas() : view.title();
+    const QString unmarked = isShorter ? view.title() : titleOfCanvas();
+    QVERIFY2(marked.endsWith(isShorter ? text("ended at 2.0 s") : text("ended at 3.0 s")),
+             qPrintable(marked));
+    QVERIFY2(!unmarked.contains(text("ended")), qPrintable(unmarked));
+    const double before = timeline().pointedTime();
+    timeline().setFocus();
+    QTest::keyClick(&timeline(), Qt::Key_Left);
+    QVERIFY(timeline().pointedTime() < before && timeline().pointedTime() > before - 0.11);
+    QTest::keyClick(&timeline(), Qt::Key_Home);
+    QVERIFY(timeline().pointedTime() < 0.11);
+    QVERIFY(!view.hasEnded() && !titleOfCanvas().contains(text("ended")));
+  }
+
   /// Each view has a title and the overlays of the canvas, also those that read the run.
   void views_haveTitlesAndTheSameOverlays() {
     runDemo(6.0);

@@ -1,3 +1,4 @@
+#include <QSignalSpy>
 #include <QtTest>
 
 #include "SmallScenario.h"
@@ -112,6 +113,34 @@ class TimelineTest : public QObject {
                                  QStringLiteral("10.2 Ana reached Goal 3"),
                                  QStringLiteral("20.0 Ana reached Goal 3")}));
     QCOMPARE(runner_.recording()->events().size(), happened.size());  // the record has all
+  }
+
+  /// A longer compared run is reached by mouse and keys; the shown run stays at its last state.
+  void comparedRun_longer_isReached() {
+    open({});
+    const auto click = [this](double time) {
+      QTest::mouseClick(&bar_, Qt::LeftButton, {}, QPoint(qRound(bar_.xOf(time)), 17));
+    };
+    QSignalSpy chosen(&bar_, &TimelineBar::timeAfterEndChosen);
+    bar_.setCompared({{0, 60.0, {}}});
+    QCOMPARE(bar_.length(), 60.0);
+    click(50.0);
+    QCOMPARE(runner_.shownFrame()->time, 42.4);
+    QCOMPARE(chosen.count(), 1);
+    QVERIFY(std::abs(bar_.pointedTime() - 50.0) < 0.1);
+    QTest::keyClick(&bar_, Qt::Key_Right);
+    QVERIFY(std::abs(bar_.pointedTime() - 50.0 - kDt) < 0.1);
+    click(70.0);
+    QCOMPARE(bar_.pointedTime(), 60.0);
+    QTest::keyClick(&bar_, Qt::Key_Home);
+    QCOMPARE(bar_.pointedTime(), 0.0);
+    click(60.0);
+    bar_.setCompared({{0, 45.0, {}}});
+    QCOMPARE(bar_.pointedTime(), 45.0);
+    bar_.setCompared({});
+    QCOMPARE(bar_.pointedTime(), 42.4);
+    click(60.0);
+    QCOMPARE(bar_.pointedTime(), 42.4);
   }
 
   void texts_ofGoals_nameThem() {

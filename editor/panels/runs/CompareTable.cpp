@@ -190,11 +190,11 @@ void CompareTable::showLengths() {
   for (std::size_t k = 0; k < shown_.runs.size(); ++k) {
     const sim2d::Recording& recording = *shown_.runs[k].recording;
     lengths << tr("%1 %2 s").arg(shown_.runs[k].letter,
-                                 QString::number(recording.timeOf(shown_.sizes[k] - 1), 'f', 1));
+                                 tenthsText(recording.timeOf(shown_.sizes[k] - 1)));
   }
   QStringList parts = {lengths.join(QStringLiteral(", "))};
   if (isShortened()) {
-    parts.prepend(tr("Compared up to %1 s").arg(QString::number(*shown_.end, 'f', 1)));
+    parts.prepend(tr("Compared up to %1 s").arg(tenthsText(*shown_.end)));
     parts.append(tr("outcomes over whole runs"));
   } else if (shown_.end) {
     parts.prepend(tr("Different lengths"));
@@ -273,9 +273,7 @@ void CompareTable::fillRow(int row) {
   put(2 * runs, QString::fromStdString(metric.info.unit), false);
   if (shown_.end) {
     put(2 * runs + 1,
-        metric.isWholeRun ? tr("whole run")
-                          : tr("to %1 s").arg(QString::number(*shown_.end, 'f', 1)),
-        false);
+        metric.isWholeRun ? tr("whole run") : tr("to %1 s").arg(tenthsText(*shown_.end)), false);
   }
   if (metric.info.key == chosen_) {
     table_->setCurrentCell(row, 0);

@@ -62,6 +62,10 @@ int priorityOf(EventMark mark) {
 
 }  // namespace
 
+QString tenthsText(double seconds) {
+  return QString::number(std::floor(seconds * 10.0 + 1e-6) / 10.0, 'f', 1);
+}
+
 QString clockText(double seconds) {
   const auto tenths = static_cast<long long>(std::floor(seconds * 10.0 + 1e-6));
   return QStringLiteral("%1:%2.%3")
@@ -154,7 +158,10 @@ TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
   setMouseTracking(true);
   setAccessibleName(tr("Timeline"));
   const auto repaint = [this] { update(); };
-  connect(&runner_, &SimulationRunner::frameShown, this, repaint);
+  connect(&runner_, &SimulationRunner::frameShown, this, [this] {
+    afterEnd_ = 0.0;
+    update();
+  });
   connect(&runner_, &SimulationRunner::stateChanged, this, repaint);
   connect(&runner_, &SimulationRunner::loopChanged, this, repaint);
   connect(&events_, &RunEvents::cleared, this, repaint);
@@ -169,16 +176,24 @@ void TimelineBar::setTheme(const Theme& theme) {
 
 void TimelineBar::setCompared(const std::vector<TimelineRun>& runs) {
   compared_ = runs;
+  if (afterEnd_ > comparedEnd()) {
+    afterEnd_ = comparedEnd() > newestTime() ? comparedEnd() : 0.0;
+    Q_EMIT timeAfterEndChosen(afterEnd_);
+  }
   update();
+}
+
+double TimelineBar::comparedEnd() const {
+  double end = 0.0;
+  for (const TimelineRun& run : compared_) {
+    end = std::max(end, run.end);
+  }
+  return end;
 }
 
 double TimelineBar::length() const {
   if (runner_.isFinished()) {
-    double end = std::max(newestTime(), 1.0);
-    for (const TimelineRun& run : compared_) {
-      end = std::max(end, run.end);
-    }
-    return end;
+    return std::max({newestTime(), comparedEnd(), 1.0});
   }
   const sim2d::Scenario& scenario = document_.scenario();
   const double planned = static_cast<double>(sim2d::stopRuleOf(scenario).maximumSteps) *
@@ -245,7 +260,7 @@ void TimelineBar::paintCompared(QPainter& painter) const {
 }
 
 void TimelineBar::paintClock(QPainter& painter) const {
-  const QString now = clockText(shownTime());
+  const QString now = clockText(pointedTime());
   painter.setFont(theme_.font(10.5, QFont::DemiBold));
   painter.setPen(theme_.color(Role::Text));
   const QRect place(12, 0, 72, height());
@@ -290,7 +305,7 @@ void TimelineBar::paintGroove(QPainter& painter) const {
       paintDroppedRange(painter, xOf(oldest));
     }
   }
-  const double x = xOf(shownTime());
+  const double x = xOf(pointedTime());
   painter.setPen(QPen(theme_.color(running ? Role::Accent : Role::ObstacleEdge), 2.0));
   painter.setBrush(theme_.color(Role::Panel));
   painter.drawEllipse(QPointF(x, kGrooveY), 6.0, 6.0);
@@ -355,8 +370,32 @@ void TimelineBar::paintMarks(QPainter& painter) const {
 void TimelineBar::seekTo(double x) {
   const RecordingPtr recording = runner_.recording();
   if (recording != nullptr && recording->size() > 0) {
-    const double time = std::min(timeAt(x), newestTime());
-    runner_.seek(recording->stepOf(recording->indexAtTime(time)));
+    seekTime(timeAt(x));
+  }
+}
+
+/// A finished run stays at its last state while longer compared runs continue.
+void TimelineBar::seekTime(double time) {
+  const RecordingPtr recording = runner_.recording();
+  const double end = newestTime();
+  runner_.seek(recording->stepOf(recording->indexAtTime(std::min(time, end))));
+  const double chosen = std::min(time, comparedEnd());
+  if (runner_.isFinished() && chosen > end) {
+    afterEnd_ = chosen;
+    Q_EMIT timeAfterEndChosen(chosen);
+    update();
+  }
+}
+
+/// Steps back or forward through the recorded states, and beyond the end of the shown run.
+void TimelineBar::seekBy(int steps) {
+  const bool isAtEnd = runner_.isFinished() && shownTime() >= newestTime();
+  if (afterEnd_ > 0.0 || (steps > 0 && isAtEnd && comparedEnd() > newestTime())) {
+    seekTime(pointedTime() + steps * runner_.recording()->header()->dt);
+  } else if (steps < 0) {
+    runner_.stepBack();
+  } else if (runner_.isLookingBack() || runner_.isRecorded()) {
+    runner_.stepOnce();
   }
 }
 
@@ -401,12 +440,10 @@ void TimelineBar::mouseReleaseEvent(QMouseEvent*) {
 void TimelineBar::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Left:
-      runner_.stepBack();
+      seekBy(-1);
       break;
     case Qt::Key_Right:
-      if (runner_.isLookingBack() || runner_.isRecorded()) {
-        runner_.stepOnce();
-      }
+      seekBy(1);
       break;
     case Qt::Key_Home:
       seekTo(kLeft);

@@ -27,6 +27,8 @@ class PlaybackActions : public QObject {
   Theme theme_;
 };
 
+/// "12.4": cut to tenths, as on the clock.
+QString tenthsText(double seconds);
 /// "0:12.4"
 QString clockText(double seconds);
 
@@ -52,6 +54,12 @@ class TimelineBar : public QWidget {
     int count = 0;
   };
   std::vector<Cluster> clusters() const;
+  /// The time shown by the clock [s]: also after the end of the run, if compared runs are longer.
+  double pointedTime() const { return std::max(shownTime(), afterEnd_); }
+
+ Q_SIGNALS:
+  /// A time [s] after the end of the shown run was chosen; it holds until the next shown state.
+  void timeAfterEndChosen(double time);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -64,6 +72,9 @@ class TimelineBar : public QWidget {
 
  private:
   void seekTo(double x);
+  void seekTime(double time);
+  void seekBy(int steps);
+  double comparedEnd() const;
   double newestTime() const { return timeOf(runner_.newestFrame()); }
   double shownTime() const { return timeOf(runner_.shownFrame()); }
   static double timeOf(const FramePtr& frame) { return frame ? frame->time : 0.0; }
@@ -81,6 +92,7 @@ class TimelineBar : public QWidget {
   Theme theme_;
   LoopMarks loop_;
   std::vector<TimelineRun> compared_;
+  double afterEnd_ = 0.0;  // [s]; 0: a state of the run is shown.
   QList<QAction*> menuActions_;
   QMenu* menu_ = nullptr;
 };

@@ -124,8 +124,13 @@ void RunsPanel::connectRuns() {
   });
   connect(&runner, &SimulationRunner::finished, this, &RunsPanel::measure);
   connect(&runner, &SimulationRunner::frameShown, this, [this] {
+    afterEnd_ = 0.0;
     showGhosts();
     followChoice();
+  });
+  connect(&context_, &PanelContext::timeAfterEndChosen, this, [this](double time) {
+    afterEnd_ = time;
+    showGhosts();
   });
   connect(&context_, &PanelContext::themeChanged, this, [this](const Theme& theme) {
     fillList();
@@ -371,8 +376,12 @@ void RunsPanel::measure() {
 }
 
 void RunsPanel::showDivergences() {
-  divergences_->setText(table_->divergences());
-  divergences_->setToolTip(table_->divergences());
+  QStringList words = endedRuns();
+  if (!table_->divergences().isEmpty()) {
+    words.prepend(table_->divergences());
+  }
+  divergences_->setText(words.join(QStringLiteral(" · ")));
+  divergences_->setToolTip(divergences_->text());
 }
 
 void addRunsPanel(PanelRegistry& to) {

@@ -137,6 +137,10 @@ class RunsPanel : public QWidget {
   void showGhosts();
   void measure();
   void showSideBySide();
+  void showCanvasTitle();
+  double comparedTime() const;
+  QStringList endedRuns() const;
+  QString letterOf(const Row& row) const;
   QString titleOf(const Row& row) const;
   void showBranchColumns();
   void showDivergences();
@@ -159,6 +163,8 @@ class RunsPanel : public QWidget {
   std::set<Row> ticked_;
   int newestBranch_ = 0;  // The branches up to this number have been seen.
   std::unique_ptr<SideBySide> side_;
+  double afterEnd_ = 0.0;  // Chosen time after the end of the shown run [s]; 0: none.
+  QString canvasTitle_;
   bool isFilling_ = false;
   bool isTakingEdit_ = false;  // The rows of the list must not change meanwhile.
   QTimer later_;               // Fills the list after the edit.

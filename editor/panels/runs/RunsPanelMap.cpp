@@ -1,4 +1,5 @@
 // The part of RunsPanel that shows runs on the map and beside it.
+#include <algorithm>
 #include <cmath>
 
 #include "editor/panels/runs/Playback.h"
@@ -19,6 +20,7 @@ GhostLayer::Ghost RunsPanel::ghostOf(const Row& row, double time) const {
   ghost.header = recording.header();
   const std::size_t index = recording.indexAtTime(time + 1e-9);
   ghost.frame = recording.frameIfKept(index);
+  ghost.hasEnded = endBefore(recording, time).has_value();
   if (ghost.frame == nullptr || !context_.view.mapScene().options().trails) {
     return ghost;
   }
@@ -41,12 +43,33 @@ GhostLayer::Ghost RunsPanel::ghostOf(const Row& row, double time) const {
   return ghost;
 }
 
+/// The time at which runs are compared [s].
+double RunsPanel::comparedTime() const {
+  const FramePtr shown = context_.runner.shownFrame();
+  return std::max(shown == nullptr ? 0.0 : shown->time, afterEnd_);
+}
+
+/// "B ended at 14.8 s", for each displayed run that is shorter than the displayed time.
+QStringList RunsPanel::endedRuns() const {
+  QStringList ended;
+  for (const Row& row : rows()) {
+    const bool isDisplayed = isShown(row) || styleOf(row) >= 0;
+    const std::optional<double> end = isDisplayed && row.recording != nullptr
+                                          ? endBefore(*row.recording, comparedTime())
+                                          : std::nullopt;
+    if (end) {
+      ended << tr("%1 ended at %2 s").arg(letterOf(row), tenthsText(*end));
+    }
+  }
+  return ended;
+}
+
 void RunsPanel::showGhosts() {
   const FramePtr shown = context_.runner.shownFrame();
   std::vector<GhostLayer::Ghost> ghosts;
   if (shown != nullptr && !sideBySideButton_->isChecked()) {
     for (const Row& row : compared()) {
-      GhostLayer::Ghost ghost = ghostOf(row, shown->time);
+      GhostLayer::Ghost ghost = ghostOf(row, comparedTime());
       if (ghost.frame != nullptr) {
         ghosts.push_back(std::move(ghost));
       }
@@ -54,17 +77,41 @@ void RunsPanel::showGhosts() {
   }
   ghosts_->show(std::move(ghosts), shown);
   if (side_ != nullptr && shown != nullptr) {
-    side_->showAt(shown->time);
+    side_->showAt(comparedTime());
   }
+  showCanvasTitle();
+  showDivergences();
+}
+
+/// Beside other runs the canvas has a title, too.
+void RunsPanel::showCanvasTitle() {
+  QString title;
+  for (const Row& row : rows()) {
+    if (side_ == nullptr || !isShown(row)) {
+      continue;
+    }
+    title = titleOf(row);
+    const std::optional<double> end =
+        row.recording == nullptr ? std::nullopt : endBefore(*row.recording, comparedTime());
+    if (end) {
+      title += QStringLiteral(" · ") + tr("ended at %1 s").arg(tenthsText(*end));
+    }
+  }
+  if (canvasTitle_ != title) {
+    canvasTitle_ = title;
+    Q_EMIT context_.canvasTitleChanged(title);
+  }
+}
+
+QString RunsPanel::letterOf(const Row& row) const {
+  const int style = styleOf(row);
+  return style < 0 ? QStringLiteral("A")
+                   : ghostStyle(static_cast<std::size_t>(style), context_.theme()).letter;
 }
 
 /// "B  Branch 1": the title of a view.
 QString RunsPanel::titleOf(const Row& row) const {
-  const int style = styleOf(row);
-  const QString letter = style < 0
-                             ? QStringLiteral("A")
-                             : ghostStyle(static_cast<std::size_t>(style), context_.theme()).letter;
-  return letter + QStringLiteral("  ") + row.name;
+  return letterOf(row) + QStringLiteral("  ") + row.name;
 }
 
 void RunsPanel::showSideBySide() {
@@ -73,7 +120,6 @@ void RunsPanel::showSideBySide() {
   const bool isWanted = sideBySideButton_->isChecked() && !others.empty();
   if (!isWanted && side_ != nullptr) {
     Q_EMIT context_.sideViewRequested(nullptr, 1);
-    Q_EMIT context_.canvasTitleChanged({});
     side_.reset();
   }
   if (isWanted) {
@@ -81,11 +127,6 @@ void RunsPanel::showSideBySide() {
     runs.reserve(others.size());
     for (const Row& row : others) {
       runs.push_back({titleOf(row), row.recording, row.branch >= 0});
-    }
-    for (const Row& row : rows()) {
-      if (isShown(row)) {
-        Q_EMIT context_.canvasTitleChanged(titleOf(row));
-      }
     }
     const int before = side_ == nullptr ? 0 : side_->columns();
     if (side_ == nullptr) {

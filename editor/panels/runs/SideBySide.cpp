@@ -8,6 +8,7 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/Autosave.h"
 #include "editor/look/Form.h"
+#include "editor/panels/runs/Playback.h"
 
 namespace editor {
 
@@ -21,6 +22,9 @@ SideView::SideView(MapView& canvas, const DocumentSnapshot& document, bool isOfE
   view_->setLegendBrief(true);
   view_->setFocusPolicy(Qt::NoFocus);
   view_->setAcceptDrops(false);
+  veil_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  veil_->setAutoFillBackground(true);
+  veil_->hide();
   setMinimumWidth(240);
   setTheme(canvas.mapScene().theme());
   connect(&canvas_, &MapView::zoomChanged, this, &SideView::followCanvas);
@@ -45,8 +49,29 @@ SideView::~SideView() {
 }
 
 void SideView::setTheme(const Theme& theme) {
+  constexpr double kVeil = 0.5;
   scene_.setTheme(theme);
   stylePaneTitle(*title_, theme);
+  QPalette colors = veil_->palette();
+  colors.setColor(QPalette::Window, theme.color(Role::Window, kVeil));
+  veil_->setPalette(colors);
+}
+
+void SideView::setTitle(const QString& title) {
+  name_ = title;
+  title_->setText(title);
+  if (frame_ != nullptr) {
+    showEnd(frame_->time);
+  }
+}
+
+/// Marks a run that has no states at this time any more.
+void SideView::showEnd(double time) {
+  const std::optional<double> end = endBefore(*recording_, time);
+  title_->setText(end ? name_ + QStringLiteral(" · ") + tr("ended at %1 s").arg(tenthsText(*end))
+                      : name_);
+  veil_->setGeometry(view_->viewport()->geometry());
+  veil_->setVisible(end.has_value());
 }
 
 void SideView::readOverlays() {
@@ -55,6 +80,7 @@ void SideView::readOverlays() {
 
 void SideView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  veil_->setGeometry(view_->viewport()->geometry());
   followCanvas();
 }
 
@@ -78,7 +104,18 @@ void SideView::showAt(const std::shared_ptr<const sim2d::Recording>& recording, 
     scene_.showFrame(frame_, recording.get());
     readOverlays();
   }
+  showEnd(time);
   followCanvas();
+}
+
+std::optional<double> endBefore(const sim2d::Recording& recording, double time) {
+  const std::size_t size = recording.size();
+  if (size == 0) {
+    return std::nullopt;
+  }
+  const double end = recording.timeOf(size - 1);
+  const double gap = size > 1 ? end - recording.timeOf(size - 2) : 0.0;  // Between two states.
+  return time > end + gap ? std::optional(end) : std::nullopt;
 }
 
 void stylePaneTitle(QLabel& title, const Theme& theme) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QtWidgets>
@@ -24,7 +25,8 @@ class SideView : public QWidget {
   ~SideView() override;
   Q_DISABLE_COPY_MOVE(SideView)
   QString title() const { return title_->text(); }
-  void setTitle(const QString& title) { title_->setText(title); }
+  void setTitle(const QString& title);
+  bool hasEnded() const { return !veil_->isHidden(); }  // The run ends before the shown time.
   void setTheme(const Theme& theme);
   /// Shows the state of the run at a time [s].
   void showAt(const std::shared_ptr<const sim2d::Recording>& recording, double time);
@@ -37,6 +39,7 @@ class SideView : public QWidget {
  private:
   void followCanvas();
   void readOverlays();
+  void showEnd(double time);
 
   MapView& canvas_;
   ScenarioDocument document_;
@@ -44,9 +47,14 @@ class SideView : public QWidget {
   RunOverlayReader overlays_{scene_};
   std::shared_ptr<const sim2d::Recording> recording_;
   sim2d::FramePtr frame_;  // shown
+  QString name_;
   QLabel* title_ = new QLabel(this);
   MapView* view_ = new MapView(scene_, this);
+  QWidget* veil_ = new QWidget(view_);  // Fades the view of a run that has ended.
 };
+
+/// The end of a recording that has no states at this time any more [s]; none: it has.
+std::optional<double> endBefore(const sim2d::Recording& recording, double time);
 
 /// The style of the title above a view of a run.
 void stylePaneTitle(QLabel& title, const Theme& theme);
