@@ -6,6 +6,7 @@
 
 #include <QPainterPath>
 
+#include "editor/canvas/Layers.h"
 #include "editor/look/FigurePainter.h"
 #include "sim2d/trace/ContactMarks.h"
 
@@ -130,10 +131,8 @@ void FigureMap::paint(QPainter& painter, std::optional<double> time) {
     paintBody(track);
   }
   paintTop();
-  for (const auto& [id, track] : tracks_) {
-    if (options_.names) {
-      label(track);
-    }
+  if (options_.names) {
+    paintNames();
   }
 }
 
@@ -300,19 +299,50 @@ void FigureMap::paintBody(const Track& track) const {
   painter_->restore();
 }
 
-/// The name below the body, with a halo in the ground colour.
-void FigureMap::label(const Track& track) const {
-  const std::optional<std::size_t> at = positionIndexOf(track);
-  if (!at) {
-    return;
+std::vector<editor::Label> FigureMap::nameLabels(const QFontMetricsF& metrics) const {
+  const double gap = std::max(0.0, (sizes_.isNarrow ? 10.0 : 13.0) - metrics.ascent());
+  std::vector<editor::Label> labels;
+  for (const auto& [id, track] : tracks_) {
+    const std::optional<std::size_t> at = positionIndexOf(track);
+    if (!at || track.name.isEmpty()) {
+      continue;
+    }
+    editor::Label& label = labels.emplace_back();
+    label.text = track.name;
+    label.centre = frame_.at(track.points[*at]);
+    label.clearancePx = radiusOf(track) + gap;
+    label.size = {metrics.horizontalAdvance(track.name), metrics.height()};
+    label.priority = id < 0 ? 1 : 0;
+    label.isNeeded = true;
+    const auto side = sides_.find(track.name);
+    label.side = side == sides_.end() ? editor::Label::kNoSide : side->second;
   }
+  return labels;
+}
+
+/// The names of the bodies, with halos in the ground colour. They do not cover each other and,
+/// where there is space, no bodies; from one painted state to the next they keep their sides.
+void FigureMap::paintNames() {
   const QFont font = theme_.font(sizes_.small());
-  const QPointF place = frame_.at(track.points[*at]);
-  const QPointF baseline(place.x() - QFontMetricsF(font).horizontalAdvance(track.name) / 2.0,
-                         place.y() + radiusOf(track) + (sizes_.isNarrow ? 10.0 : 13.0));
-  const QPainterPath text = editor::textOutline(baseline, font, track.name);
-  painter_->strokePath(text, QPen(theme_.color(Role::MapFree, 0.85), 3.5));
-  painter_->fillPath(text, theme_.color(Role::Text));
+  const QFontMetricsF metrics(font);
+  const std::vector<editor::Label> labels = nameLabels(metrics);
+  std::vector<QRectF> bodies;
+  for (const auto& [id, track] : tracks_) {
+    if (const std::optional<std::size_t> at = positionIndexOf(track)) {
+      bodies.push_back(editor::around(frame_.at(track.points[*at]), radiusOf(track) - 1.0));
+    }
+  }
+  nameRects_ = editor::layoutLabels(labels, bodies, mapRect_);
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    const QRectF& place = nameRects_[k];
+    sides_[labels[k].text] = editor::sideOf(labels[k], place, mapRect_);
+    if (!place.isNull()) {
+      const QPainterPath text =
+          editor::textOutline({place.left(), place.top() + metrics.ascent()}, font, labels[k].text);
+      painter_->strokePath(text, QPen(theme_.color(Role::MapFree, 0.85), 3.5));
+      painter_->fillPath(text, theme_.color(Role::Text));
+    }
+  }
 }
 
 void FigureMap::paintGoals() const {

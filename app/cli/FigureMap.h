@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 #include <QPointF>
 #include <QString>
 
+#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/OverlayPainter.h"
 #include "editor/look/Theme.h"
 #include "sim2d/trace/Trace.h"
@@ -116,6 +118,8 @@ class FigureMap {
   bool hasPaths() const { return trace_.frames.size() > 1; }  // not only the start
   double scale() const { return frame_.scale; }               // [px/m]
   double maxDensity() const { return maxDensity_; }           // of the last paint() [1/m²]
+  /// The names of the last paint() [px]; null: left out.
+  const std::vector<QRectF>& nameRects() const { return nameRects_; }
 
  private:
   QRectF extent() const;
@@ -131,7 +135,8 @@ class FigureMap {
   std::optional<std::size_t> positionIndexOf(const Track& track) const;
   double radiusOf(const Track& track) const;
   void paintBody(const Track& track) const;
-  void label(const Track& track) const;
+  std::vector<editor::Label> nameLabels(const QFontMetricsF& metrics) const;
+  void paintNames();
   void paintGoals() const;
   void pin(const QString& number) const;
   void paintGround();
@@ -154,6 +159,8 @@ class FigureMap {
   QRectF mapRect_;
   QImage map_;
   double maxDensity_ = 0.0;
+  std::vector<QRectF> nameRects_;
+  std::map<QString, int> sides_;  // of names in the last painted state
 };
 
 /// A length in whole metres for the scale bar.

@@ -263,6 +263,42 @@ class RunExportTest : public QObject, protected InFolder {
     QVERIFY2(greenPixels() > 40, qPrintable(QString::number(greenPixels())));
   }
 
+  /// Three people pass each other: their names stay apart.
+  void names_ofAFilm_doNotCoverEachOther() {
+    sim2d::Trace trace = *walk(4.0, 80).trace();
+    for (const int id : {2, 3}) {
+      sim2d::TraceHuman other = trace.header.humans.front();
+      other.id = id;
+      other.name = id == 2 ? "benjamin" : "christine";
+      trace.header.humans.push_back(other);
+      for (sim2d::Frame& frame : trace.frames) {
+        frame.humans.id.push_back(id);
+        frame.humans.x.push_back(id == 2 ? 4.0 - frame.time : 2.0);
+        frame.humans.y.push_back(id == 2 ? 1.3 : 2.0);
+        frame.humans.heading.push_back(0.0);
+        frame.humans.vx.push_back(0.0);
+        frame.humans.vy.push_back(0.0);
+      }
+    }
+    const app::FigureSizes sizes(1600.0);
+    const app::FigureText words(false);
+    app::FigureMap map(trace, sizes, words, {});
+    map.place(QRectF(0.0, 0.0, 600.0, 400.0));
+    QImage image(600, 400, QImage::Format_RGB32);
+    QPainter painter(&image);
+    for (int k = 0; k <= 80; ++k) {
+      map.paint(painter, 0.05 * k);
+      const std::vector<QRectF>& names = map.nameRects();
+      QCOMPARE(names.size(), std::size_t{3});
+      for (std::size_t a = 0; a < names.size(); ++a) {
+        QVERIFY(!names[a].isNull());
+        for (std::size_t b = 0; b < a; ++b) {
+          QVERIFY(!names[a].intersects(names[b]));
+        }
+      }
+    }
+  }
+
   /// The trajectories are in the legend if there are any.
   void legend_ofAStart_hasNoLines() {
     const auto dashes = [](std::size_t frames) {  // Pixels of the line colour left of the name.
