@@ -149,7 +149,7 @@ play_seeds() {
     env QT_QPA_PLATFORM=xcb QT_XCB_GL_INTEGRATION=none QTEST_FUNCTION_TIMEOUT=3600000 \
     UBSAN_OPTIONS=print_stacktrace=1 HUNAV_MONKEY_DIARY="$diary" \
     ASAN_OPTIONS=new_delete_type_mismatch=0:max_free_fill_size=1000000:free_fill_byte=221 \
-    LSAN_OPTIONS="suppressions=$root/tests/lsan.supp" \
+    LSAN_OPTIONS="suppressions=$root/tests/lsan.supp:print_suppressions=0" \
     HUNAV_MONKEY_FIRST="$1" HUNAV_MONKEY_SEEDS="$2" HUNAV_MONKEY_EVENTS=3000 HUNAV_MONKEY_HANDS="$3" \
     "$build/asan/tests/tst_Monkey"
 }

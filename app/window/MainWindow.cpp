@@ -146,6 +146,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
 /// Objects connected to the workspace are deleted before it, because its destructor emits signals.
 MainWindow::~MainWindow() {
   workspace_.document().disconnect(this);
+  workspace_.document().undoStack().disconnect(this);
   workspace_.runner().disconnect(this);
   workspace_.feed().disconnect(this);
   delete tour_;

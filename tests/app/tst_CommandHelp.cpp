@@ -29,7 +29,7 @@ class CommandHelpTest : public QObject, protected InFolder {
   QJsonArray commands_;
 
   QString written(const char* format) {
-    const QString file = path(format);
+    QString file = path(format);
     const Finished page = runProgram("list commands --format %", {text(format)});
     writeText(file, page.exitCode == 0 ? page.out.toUtf8() : QByteArray());
     return file;
@@ -55,7 +55,7 @@ class CommandHelpTest : public QObject, protected InFolder {
   }
 
   void everyCommand_hasUsageOptionsExamplesAndExitCodes() {
-    for (const QJsonValue& value : commands_) {
+    for (const auto& value : commands_) {
       const QString name = value[text("name")].toString();
       const bool isWindow = name == text("hunavsim");
       const Finished help = runProgram(isWindow ? list("--help") : QStringList{name, text("-h")});
@@ -64,11 +64,11 @@ class CommandHelpTest : public QObject, protected InFolder {
                qPrintable(name));
       QVERIFY2(help.out.contains(text("\n  64 ")), qPrintable(name));
       QVERIFY2(!value[text("examples")].toArray().isEmpty(), qPrintable(name));
-      for (const QJsonValue& option : value[text("options")].toArray()) {
+      for (const auto& option : value[text("options")].toArray()) {
         QVERIFY2(help.out.contains(option[text("names")][0].toString()), qPrintable(name));
         QVERIFY2(!option[text("description")].toString().isEmpty(), qPrintable(name));
       }
-      for (const QJsonValue& example : value[text("examples")].toArray()) {
+      for (const auto& example : value[text("examples")].toArray()) {
         QVERIFY2(help.out.contains(text("\n  ") + example[text("line")].toString() + text("\n")),
                  qPrintable(name));
       }
@@ -77,7 +77,7 @@ class CommandHelpTest : public QObject, protected InFolder {
 
   /// 80 columns, unless a heading alone is wider.
   void everyHelp_fitsATerminal() {
-    for (const QJsonValue& value : commands_) {
+    for (const auto& value : commands_) {
       const QString name = value[text("name")].toString();
       const bool isWindow = name == text("hunavsim");
       const Finished help =
@@ -106,7 +106,7 @@ class CommandHelpTest : public QObject, protected InFolder {
 
   void help_ofTheProgram_listsAllCommands() {
     const QString help = runProgram("--help").out;
-    for (const QJsonValue& value : commands_) {
+    for (const auto& value : commands_) {
       const QString name = value[text("name")].toString();
       QVERIFY2(name == text("hunavsim") || help.contains(text("\n  ") + name + text(" ")),
                qPrintable(name));
@@ -121,7 +121,7 @@ class CommandHelpTest : public QObject, protected InFolder {
     const Finished page = runShell(text("groff"), list("-man -Tutf8 -ww %", {written("man")}));
     QCOMPARE(page.exitCode, 0);
     QCOMPARE(page.err, QString());
-    for (const QJsonValue& value : commands_) {
+    for (const auto& value : commands_) {
       QVERIFY(page.out.contains(value[text("name")].toString()));
     }
   }

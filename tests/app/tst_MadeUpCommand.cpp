@@ -81,6 +81,7 @@ class MadeUpCommandTest : public QObject {
                                       "-o",
                                       "out"};
     std::vector<char*> words;
+    words.reserve(texts.size());
     for (std::string& text : texts) {
       words.push_back(text.data());
     }

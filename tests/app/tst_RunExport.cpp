@@ -93,7 +93,7 @@ class RunExportTest : public QObject, protected InFolder {
   /// Opens a dialog of the window by its command, changes it, and saves to the file.
   template <class Dialog>
   void saveAs(QAction& command, const QString& file, const std::function<void(Dialog&)>& change) {
-    quiet::answerDialog<Dialog>([this, file, change](Dialog& dialog) {
+    quiet::answerDialog<Dialog>([file, change](Dialog& dialog) {
       QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), kLongMs);
       dialog.activateWindow();
       QVERIFY(QTest::qWaitForWindowActive(&dialog));
@@ -371,7 +371,7 @@ class RunExportTest : public QObject, protected InFolder {
   void film_stopped_writesNothing() {
     const QString file = path("stopped.gif");
     SaveFilmDialog dialog(
-        walk(600.0, 6000), [file](const QString&, const QString&) { return file; },
+        walk(600.0, 6000), [&file](const QString&, const QString&) { return file; },
         editor::Theme::light());
     dialog.show();
     QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), kLongMs);

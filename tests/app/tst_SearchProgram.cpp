@@ -54,7 +54,7 @@ QJsonObject archiveOf(const QString& folder) {
 }
 
 QJsonObject failureOfKind(const QString& folder, const QString& kind) {
-  for (const QJsonValue& each : archiveOf(folder).value(text("failures")).toArray()) {
+  for (const auto& each : archiveOf(folder).value(text("failures")).toArray()) {
     if (each.toObject().value(text("kind")).toString() == kind) {
       return each.toObject();
     }
@@ -191,7 +191,7 @@ class SearchProgramTest : public QObject {
           executed.insert(row.at(text("node")));
         }
       }
-      for (const QJsonValue& node : each.toObject().value(text("nodes")).toArray()) {
+      for (const auto& node : each.toObject().value(text("nodes")).toArray()) {
         const QString path = node.toObject().value(text("node")).toString();
         QVERIFY2(executed.count(path) > 0, qPrintable(path));
         ++found;

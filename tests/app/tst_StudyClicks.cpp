@@ -104,7 +104,7 @@ class StudyClicksTest : public QObject, protected quiet::InFolder {
         *window_, [&](const QToolButton* each) { return each->defaultAction() == action; });
   }
   QString yard() const {
-    const QString file = at("yard.yaml");
+    QString file = at("yard.yaml");
     writeText(file, QByteArray(kYardText) + "    duration: 5.0\n");
     return file;
   }

@@ -46,7 +46,7 @@ class TuneProgramTest : public QObject, InFolder {
 
  private:
   Finished tune(const QString& folder, const QByteArray& parameters, const char* words,
-                QByteArray plane = kPlane) const {
+                const QByteArray& plane = kPlane) const {
     QDir().mkpath(path(folder));
     writeText(path(folder + text("/plane.yaml")), plane);
     writeText(path(folder + text("/rpp.yaml")), parameters);

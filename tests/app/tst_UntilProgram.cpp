@@ -12,7 +12,7 @@ class UntilProgramTest : public QObject, InFolder {
 
  private:
   QString experiment(const char* name, const char* seeds, const char* halfWidth) const {
-    const QString file = path(name);
+    QString file = path(name);
     writeText(file, QByteArray("hunavsim_experiment: 1\nscenarios: [" SOURCE_DIR
                                "/maps/planners/crossing_agents.yaml]\nduration: 0.5\nseeds: ") +
                         seeds + "\nuntil: {metric: completed, halfwidth: " + halfWidth + "}\n");

@@ -162,6 +162,7 @@ class WindowStartTest : public QObject, protected quiet::InFolder {
          {"realism_door_agents", "m/realism/realism_door_agents.yaml"},
          {"zoo_agents", "m/library/zoo_agents.yaml"}});
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const app::ShippedScenario& each : all) {
       names.push_back(each.name);
     }

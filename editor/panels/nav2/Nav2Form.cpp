@@ -192,6 +192,11 @@ bool Nav2Form::eventFilter(QObject* watched, QEvent* event) {
   return isDelete || QWidget::eventFilter(watched, event);
 }
 
+/// The list first: an open field of it stores its text when it is hidden.
+Nav2Form::~Nav2Form() {
+  delete tree_;
+}
+
 void Nav2Form::setTheme(const Theme& theme) {
   search_->setTheme(theme);
   accent_ = theme.color(Role::AccentText);

@@ -33,6 +33,7 @@ class Nav2Form : public QWidget {
   Q_OBJECT
  public:
   explicit Nav2Form(QWidget* parent = nullptr);
+  ~Nav2Form() override;
   void setTheme(const Theme& theme);
   /// None: no robot with Nav2. `inRun`: the robot in the shown run, if there is one; values that
   /// differ from it are marked, because they apply at the next start.
