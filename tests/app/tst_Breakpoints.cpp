@@ -53,7 +53,7 @@ class BreakpointsTest : public QObject {
   void ofANode_stopsTheRunAndShowsThePerson() {
     select(2);
     QVERIFY(panel().outline().topLevelItem(0)->icon(0).isNull());
-    QAction* stop = entry(0, QStringLiteral("It is ticked"));
+    QAction* stop = entry(0, QStringLiteral("It starts to be ticked"));
     QVERIFY(stop != nullptr);
     stop->trigger();
     QCOMPARE(runner().breakpoints().size(), std::size_t{1});
@@ -91,7 +91,7 @@ class BreakpointsTest : public QObject {
     select(0);
     runner().stepOnce();
     QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step == 1);
-    entry(0, QStringLiteral("It is ticked"))->trigger();
+    entry(0, QStringLiteral("It starts to be ticked"))->trigger();
     runner().play();
     QTRY_VERIFY(runner().currentBreak().has_value());
     QCOMPARE(runner().newestFrame()->step, std::int64_t{2});
@@ -107,7 +107,7 @@ class BreakpointsTest : public QObject {
 
   void condition_isAskedForUntilItCanBeRead() {
     select(0);
-    entry(0, QStringLiteral("A condition holds…"))->trigger();
+    entry(0, QStringLiteral("A condition becomes true…"))->trigger();
     auto* dialog = window_->findChild<QInputDialog*>();
     QVERIFY(dialog != nullptr);
     dialog->setTextValue(QStringLiteral("id := 7"));

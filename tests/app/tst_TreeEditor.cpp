@@ -508,7 +508,7 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
   void breakpoint_fromTheMenu_isShownAtTheNode() {
     open("Chloe");
     QVERIFY(canvas().shown().breakpoints.empty());
-    choosefromMenu(called("Is robot visible"), "It fails");
+    choosefromMenu(called("Is robot visible"), "It starts to fail");
     QCOMPARE(runner().breakpoints().size(), std::size_t{1});
     QCOMPARE(canvas().shown().breakpoints.size(), std::size_t{1});
     document().setSelection({person("Ana")});

@@ -285,10 +285,10 @@ struct BreakCondition {
   std::optional<NodeStatus> status;
 };
 constexpr BreakCondition kBreakConditions[] = {
-    {QT_TRANSLATE_NOOP("Breakpoint", "is ticked"), std::nullopt},
-    {QT_TRANSLATE_NOOP("Breakpoint", "runs"), NodeStatus::Running},
-    {QT_TRANSLATE_NOOP("Breakpoint", "succeeds"), NodeStatus::Success},
-    {QT_TRANSLATE_NOOP("Breakpoint", "fails"), NodeStatus::Failure}};
+    {QT_TRANSLATE_NOOP("Breakpoint", "starts to be ticked"), std::nullopt},
+    {QT_TRANSLATE_NOOP("Breakpoint", "starts to run"), NodeStatus::Running},
+    {QT_TRANSLATE_NOOP("Breakpoint", "starts to succeed"), NodeStatus::Success},
+    {QT_TRANSLATE_NOOP("Breakpoint", "starts to fail"), NodeStatus::Failure}};
 
 void addBreakpoint(SimulationRunner& runner, const TreeBreakpoint& point) {
   std::vector<TreeBreakpoint> points = runner.breakpoints();
@@ -303,8 +303,8 @@ void askForCondition(SimulationRunner& runner, const TreeBreakpoint& point, QWid
   deleteWhenClosed(*dialog);
   dialog->setWindowTitle(QObject::tr("Conditional breakpoint"));
   dialog->setLabelText(problem.isEmpty()
-                           ? QObject::tr("Stop when the node is ticked and this blackboard "
-                                         "condition holds, for example  id == 2:")
+                           ? QObject::tr("Stop when the node starts to be ticked with this "
+                                         "blackboard condition true, for example  id == 2:")
                            : problem);
   dialog->setTextValue(QString::fromStdString(point.condition));
   QObject::connect(dialog, &QInputDialog::textValueSelected, &window,
@@ -325,9 +325,10 @@ void askForCondition(SimulationRunner& runner, const TreeBreakpoint& point, QWid
 
 QString breakpointText(const TreeBreakpoint& point) {
   const auto* const way = base::findBy(kBreakConditions, &BreakCondition::status, point.status);
-  QString words = QObject::tr("when it %1")
-                      .arg(way == nullptr ? QCoreApplication::translate("Breakpoint", "is skipped")
-                                          : QCoreApplication::translate("Breakpoint", way->words));
+  QString words =
+      QObject::tr("when it %1")
+          .arg(way == nullptr ? QCoreApplication::translate("Breakpoint", "starts to be skipped")
+                              : QCoreApplication::translate("Breakpoint", way->words));
   if (!point.person) {
     words += QObject::tr(", for any person");
   }
@@ -349,7 +350,7 @@ void fillBreakpointMenu(QMenu& menu, SimulationRunner& runner, const std::string
       action->setEnabled(std::find(all.begin(), all.end(), point) == all.end());
     }
     const TreeBreakpoint asked{whose, path, std::nullopt, {}};
-    to.addAction(QObject::tr("A condition holds…"), &menu,
+    to.addAction(QObject::tr("A condition becomes true…"), &menu,
                  [&runner, asked, &window] { askForCondition(runner, asked, window); });
   };
   offer(*menu.addMenu(QObject::tr("Break when")), person);
