@@ -80,13 +80,13 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
                  notices_);
   const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
   exports_ = new RunExportCommands(workspace_, *docks_, *actions_, userSettings_, *this);
-  connect(exports_, &RunExportCommands::saved, this, [this](const QString& file) {
-    statusBar()->showMessage(tr("Saved %1").arg(file), kMessageMs);
-  });
   const auto* plots = new PlotExport(workspace_, docks_->context(), *this);
   const auto tell = [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); };
   connect(figures, &FigureCommands::message, this, tell);
   connect(plots, &PlotExport::message, this, tell);
+  connect(files_, &FileCommands::message, this, tell);
+  connect(exports_, &RunExportCommands::saved, this,
+          [tell](const QString& file) { tell(tr("Saved %1").arg(file)); });
   if (restoreGeometry(userSettings_.value(kGeometryKey).toByteArray())) {
     resize(size().boundedTo(screen()->availableSize()));  // the last screen may have been larger
   }

@@ -98,6 +98,8 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
     QCOMPARE(asked, 1);
     QVERIFY(!document().tree(person));
     QVERIFY(!document().isDirty());
+    QCOMPARE(window_->statusBar()->currentMessage(),
+             QStringLiteral("Saved ") + QFileInfo(file).fileName());
   }
 
   void treeDialog_differences_areShown() {

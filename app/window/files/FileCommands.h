@@ -86,6 +86,7 @@ class FileCommands : public QObject {
   void closed();          // no document is open
   void optionsApplied();  // options of the command line changed the document
   void recentChanged();
+  void message(const QString& text);  // for the status bar
   void issuesRaised();
   void exported(const QString& folder, int files);
   void notExported(const base::Diagnostics& problems);

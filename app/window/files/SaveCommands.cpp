@@ -23,6 +23,7 @@ bool FileCommands::saveTo(const QString& path, const editor::TreeReplacements& t
   showProblems(problems);
   userSettings_.addRecentFile(path);
   Q_EMIT recentChanged();
+  Q_EMIT message(tr("Saved %1").arg(QFileInfo(path).fileName()));
   return true;
 }
 
