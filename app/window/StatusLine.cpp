@@ -116,6 +116,30 @@ StateText playbackText(const SimulationRunner& runner) {
                               : StatusLine::tr("Space resumes · End returns to the newest step")};
 }
 
+/// The state of a run that has ended: whether the robots with goals have reached them.
+StateText finishedText(const SimulationRunner& runner) {
+  StateText text{Role::WarningMark, StatusLine::tr("Finished"),
+                 StatusLine::tr("Space replays · Ctrl+R returns to editing"), endText(runner)};
+  int reached = 0;
+  int missed = 0;
+  if (!runner.result()) {
+    return text;
+  }
+  for (const sim2d::RobotResult& robot : runner.result()->robots) {
+    const bool hasReached = robot.result == sim2d::NavigationOutcome::Arrived;
+    reached += hasReached ? 1 : 0;
+    missed += robot.result && !hasReached ? 1 : 0;
+  }
+  if (missed > 0) {
+    text.color = Role::Error;
+    text.state = StatusLine::tr("Goal not reached");
+  } else if (reached > 0) {
+    text.color = Role::Ok;
+    text.state = StatusLine::tr("Goal reached");
+  }
+  return text;
+}
+
 /// `runEnd`: the end condition of the run; may be empty.
 StateText stateTextOf(const SimulationRunner& runner, const QString& runEnd) {
   if (runner.isRecorded()) {
@@ -132,8 +156,7 @@ StateText stateTextOf(const SimulationRunner& runner, const QString& runEnd) {
             end + StatusLine::tr("Space pauses · Click a person for details")};
   }
   if (runner.isFinished()) {
-    return {Role::WarningMark, StatusLine::tr("Finished"),
-            StatusLine::tr("Space replays · Ctrl+R returns to editing"), endText(runner)};
+    return finishedText(runner);
   }
   const QString where = runner.currentBreak()
                             ? StatusLine::tr("Stopped at %1 · ")

@@ -41,7 +41,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     window_->workspace().playback().playPause->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 20000);
     QVERIFY(isHinted("Time limit reached, 2.0 s · Space replays"));
-    QVERIFY(isSaid(QStringLiteral("Finished")));
+    QVERIFY(isSaid(QStringLiteral("Goal not reached")));
     runner().setSpeed(1.0);
     window_->workspace().view().setFocus();
     QTest::keyClick(window_->workspace().view().viewport(), Qt::Key_Space);
@@ -51,6 +51,15 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     window_->workspace().playback().newest->trigger();
     runner().reset();
     QVERIFY(!isHinted("Time limit reached"));
+  }
+
+  void run_withoutARobot_isOnlyFinished() {
+    setDuration(1.0);
+    editor::pushRemove(document(), document().entities(base::EntityKind::Robot));
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    runner().play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 20000);
+    QVERIFY(isSaid(QStringLiteral("Finished")));
   }
 
   /// The text of the button under the mouse does not replace why the run stopped.
@@ -77,6 +86,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     runner().play();
     QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 30000);
     QCOMPARE(runner().result()->reason, std::string("arrived"));
+    QVERIFY(isSaid(QStringLiteral("Goal reached")));
     const QString said = QStringLiteral("The robot has arrived, %1 s")
                              .arg(runner().newestFrame()->time - 1.0, 0, 'f', 1);
     QVERIFY2(isHinted(said.toUtf8().constData()), qPrintable(said));
