@@ -1,3 +1,5 @@
+#include "app/window/files/FileDialogs.h"
+#include "app/window/help/Commands.h"
 #include "app/window/settings/PreferencesDialog.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Fields.h"
@@ -88,6 +90,16 @@ class WindowSettingsTest : public QObject, protected quiet::InFolder {
     press(page, "Restore a&ll defaults");
     QCOMPARE(window_->actions().grid->shortcut(), QKeySequence(int{Qt::SHIFT} | Qt::Key_G));
     QVERIFY(!window_->keyMap().isAnyChanged());
+  }
+
+  void keys_storedForTheFormerNameOfACommand_areKept() {
+    app::UserSettings(true).setValue(
+        "keys/changed",
+        QVariantMap{{QStringLiteral("Run › Reset"), QStringList{QStringLiteral("F6")}}});
+    restart();
+    QCOMPARE(window_->workspace().playback().reset->shortcut(), QKeySequence(Qt::Key_F6));
+    QCOMPARE(app::commandName(*window_->workspace().playback().reset),
+             QStringLiteral("Return to editing"));
   }
 
   void keys_ofFields_cannotBeAssigned() {

@@ -20,6 +20,12 @@ QStringList textsOf(const QList<QKeySequence>& keys) {
   return texts;
 }
 
+/// The id under which earlier versions stored the keys of a renamed command; empty: none.
+QString formerId(const QString& id) {
+  return id == QStringLiteral("Run › Return to editing") ? QStringLiteral("Run › Reset")
+                                                         : QString();
+}
+
 void setKeys(QAction& action, const QList<QKeySequence>& keys) {
   action.setShortcuts(keys);
   editor::describe(action, action.statusTip());  // the tooltip names the key
@@ -47,11 +53,12 @@ KeyMap::KeyMap(const QMenuBar& menus, UserSettings& userSettings, QObject* paren
 
 void KeyMap::apply(const QVariantMap& stored) {
   for (const Entry& entry : entries_) {
-    if (entry.isFixed || !stored.contains(entry.id)) {
+    const QString id = stored.contains(entry.id) ? entry.id : formerId(entry.id);
+    if (entry.isFixed || !stored.contains(id)) {
       continue;
     }
     QList<QKeySequence> keys;
-    for (const QString& text : stored.value(entry.id).toStringList()) {
+    for (const QString& text : stored.value(id).toStringList()) {
       keys << QKeySequence(text, QKeySequence::PortableText);
     }
     setKeys(*entry.action, keys);

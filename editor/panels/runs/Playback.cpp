@@ -75,8 +75,8 @@ QString clockText(double seconds) {
 }
 
 PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
-    : reset(makeAction(tr("Reset"), QKeySequence(int{Qt::CTRL} | Qt::Key_R),
-                       tr("End the run and return to editing"), this)),
+    : reset(makeAction(tr("Return to editing"), QKeySequence(int{Qt::CTRL} | Qt::Key_R),
+                       tr("End the run; the scenario can be edited again"), this)),
       stepBack(makeAction(tr("Step back"), QKeySequence(Qt::Key_Comma),
                           tr("Go back one recorded step"), this)),
       playPause(makeAction(tr("Play"), QKeySequence(Qt::Key_Space),
