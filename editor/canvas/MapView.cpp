@@ -198,11 +198,14 @@ void MapView::placeLegend() {
 
 /// The corner in which the legend covers the fewest bodies and goals.
 int MapView::freeLegendCorner() const {
+  const std::vector<ShownBody> bodies = scene_.frameLayer().shownBodies();
+  const std::vector<sim2d::GlobalGoal>& goals = scene_.document().scenario().goals;
   std::vector<QPoint> places;
-  for (const ShownBody& body : scene_.frameLayer().shownBodies()) {
+  places.reserve(bodies.size() + goals.size());
+  for (const ShownBody& body : bodies) {
     places.push_back(viewportFrom(body.pose.position));
   }
-  for (const sim2d::GlobalGoal& goal : scene_.document().scenario().goals) {
+  for (const sim2d::GlobalGoal& goal : goals) {
     places.push_back(viewportFrom(goal.position));
   }
   const QRect room = viewport()->rect().adjusted(0, coveredTop_, 0, 0);

@@ -151,7 +151,9 @@ std::vector<int> walkedGoals(const ScenarioDocument& document, const sim2d::Huma
   static constexpr std::string_view kUseOwnGoals[] = {
       "RegularNav", "ScaredNav", "SetGroupWalk", "SetGoal", "UpdateGoal", "PassOnSide", "<include"};
   const std::optional<std::string> text = document.tree(human.key);
-  const auto isUsed = [&text](std::string_view node) { return text->find(node) != text->npos; };
+  const auto isUsed = [&text](std::string_view node) {
+    return text->find(node) != std::string::npos;
+  };
   if (!text || std::any_of(std::begin(kUseOwnGoals), std::end(kUseOwnGoals), isUsed)) {
     return human.goals;
   }
