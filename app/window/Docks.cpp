@@ -6,6 +6,7 @@
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/IssuesPanel.h"
 #include "editor/panels/runs/Playback.h"
 #include "editor/panels/runs/RunPlots.h"
 #include "sim2d/base/Find.h"
@@ -13,6 +14,8 @@
 namespace app {
 
 namespace {
+
+constexpr int kMostShown = 999;  // count in a button; titles have all digits
 
 constexpr int kSideWidth = 320;    // [px]; at 1280 x 800 the map gets 3/5 of the window
 constexpr int kScenarioShare = 2;  // share of the column's height
@@ -179,6 +182,8 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
   }
   addToggle(*dock);
   toggleOf(*dock)->setProperty(kCountedProperty, isCounted);
+  toggleOf(*dock)->setProperty(kMarkedProperty,
+                               qobject_cast<editor::IssuesPanel*>(dock->widget()) != nullptr);
   if (initialHeight > 0) {
     ensureHeight(*dock, initialHeight);
   }
@@ -356,7 +361,8 @@ void Docks::showCount(const QWidget* panel, int count, base::Severity worst) {
   QAction& toggle = *toggleOf(**found);
   const QString title = toggle.text();
   (*found)->setWindowTitle(count > 0 ? QStringLiteral("%1  %2").arg(title).arg(count) : title);
-  toggle.setIconText((*found)->windowTitle());
+  toggle.setIconText(count > kMostShown ? QStringLiteral("%1  %2+").arg(title).arg(kMostShown)
+                                        : (*found)->windowTitle());
   const editor::Theme& theme = workspace_.theme();
   const bool isError = worst == base::Severity::Error;
   toggle.setIcon(count == 0 || worst == base::Severity::Info

@@ -392,9 +392,10 @@ void MainWindow::showTitle() {
   const bool isOnlyHere = document.isDirty() || files_->isFileMissing();
   setWindowModified(isOnlyHere);
   setWindowFilePath(document.path());
-  saved_->setText(isOnlyHere              ? tr("Not saved")
-                  : document.isReadOnly() ? tr("Read only")
-                                          : tr("Saved"));
+  saved_->setText(isOnlyHere                  ? tr("Not saved")
+                  : document.isReadOnly()     ? tr("Read only")
+                  : document.path().isEmpty() ? tr("New")
+                                              : tr("Saved"));
 }
 
 void MainWindow::setTheme(const editor::Theme& theme) {

@@ -2,7 +2,6 @@
 
 #include "app/window/Docks.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "sim2d/base/Find.h"
@@ -91,12 +90,19 @@ QString endText(const SimulationRunner& runner) {
   return end == nullptr ? QString() : end->second;
 }
 
-/// Keeps the width of a button while the count in its text grows; it never shrinks again.
-void reserveDigits(QToolButton& button) {
-  const QString text = button.text();
-  const int more = button.fontMetrics().horizontalAdvance(editor::withReservedDigits(text)) -
-                   button.fontMetrics().horizontalAdvance(text);
-  button.setMinimumWidth(std::max(button.minimumWidth(), button.sizeHint().width() + more));
+/// The width of a button with any count and icon, so that no other button moves. `button` has
+/// neither.
+int slotWidth(const QToolButton& button, const QAction& toggle) {
+  const auto has = [&toggle](const char* property) { return toggle.property(property).toBool(); };
+  const int digits = button.fontMetrics().horizontalAdvance(QStringLiteral("  999+"));
+  return button.sizeHint().width() + (has(kMarkedProperty) ? kMarkSpace : 0) +
+         (has(kCountedProperty) ? digits : 0);
+}
+
+/// The end of the path of a node: "…/Fallback/GoTo".
+QString shortPath(const QString& path) {
+  const QString end = path.section(QLatin1Char('/'), -2);
+  return end == path ? path : QStringLiteral("…/") + end;
 }
 
 /// The displayed state and hint.
@@ -158,10 +164,11 @@ StateText stateTextOf(const SimulationRunner& runner, const QString& runEnd) {
   if (runner.isFinished()) {
     return finishedText(runner);
   }
-  const QString where = runner.currentBreak()
-                            ? StatusLine::tr("Stopped at %1 · ")
-                                  .arg(QString::fromStdString(runner.currentBreak()->at.path))
-                            : QString();
+  const QString where =
+      runner.currentBreak()
+          ? StatusLine::tr("Stopped at %1 · ")
+                .arg(shortPath(QString::fromStdString(runner.currentBreak()->at.path)))
+          : QString();
   return {Role::WarningMark, StatusLine::tr("Paused"),
           StatusLine::tr("Space resumes · . steps · Ctrl+R returns to editing"), where};
 }
@@ -182,8 +189,8 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   hint_->setForegroundRole(QPalette::PlaceholderText);
   bar_.addWidget(hint_, 1);
   position_ = addRight(136);
-  zoom_ = addRight(64);
-  seed_ = addRight(56);
+  zoom_ = addRight(52);
+  seed_ = addRight(48);
   speed_ = addRight(88);
   const SimulationRunner& runner = workspace_.runner();
   connect(&workspace_.view(), &editor::MapView::cursorMoved, this, &StatusLine::showPosition);
@@ -254,12 +261,7 @@ void StatusLine::addPanels(const QList<QAction*>& toggles) {
     button->setFocusPolicy(Qt::NoFocus);  // each has a shortcut
     button->setFixedHeight(kPanelButton);
     row->addWidget(button);
-    if (toggle->property(kCountedProperty).toBool()) {
-      button->setMinimumWidth(button->sizeHint().width() + kMarkSpace +
-                              button->fontMetrics().horizontalAdvance(QStringLiteral("  888")));
-    }
-    connect(toggle, &QAction::changed, button, [button] { reserveDigits(*button); });
-    reserveDigits(*button);
+    button->setMinimumWidth(slotWidth(*button, *toggle));
   }
   // The speed, which is shown only during a run, takes its space from the hint: the buttons stay.
   constexpr int kBeforeNumbers = 3;  // after dot, state and hint
@@ -314,7 +316,7 @@ void StatusLine::showState() {
   const QString watched = isRun ? watchedName() : QString();
   dot_->setPixmap(dotPixmap(workspace_.theme().color(stateText.color)));
   state_->setText(stateText.state);
-  hint_->setFullText(tip_.isEmpty() ? watched + stateText.reason + stateText.hint
+  hint_->setFullText(tip_.isEmpty() ? stateText.reason + watched + stateText.hint
                                     : stateText.reason + tip_);
   showNumbers();
 }

@@ -112,6 +112,7 @@ base::Diagnostics ScenarioDocument::newOnMap(const QString& yamlPath) {
     clear();
     *disk_ = std::move(read);
     putMap(*std::move(map));
+    undoStack_.clear();  // The user has changed nothing.
   }
   return problems;
 }

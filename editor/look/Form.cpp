@@ -29,18 +29,9 @@ void ElidedLabel::setFullText(const QString& words) {
 }
 
 QString ElidedLabel::visibleText() const {
-  static const QString between = QStringLiteral(" · ");
-  const QString all = text();
-  const int room = contentsRect().width();
-  const auto fits = [&](const QString& words) {
-    return fontMetrics().horizontalAdvance(words) <= room;
-  };
-  QString shown = all;
-  for (int end = all.lastIndexOf(between); end > 0 && !fits(shown);
-       end = all.lastIndexOf(between, end - 1)) {
-    shown = all.left(end) + QStringLiteral(" …");
-  }
-  return fits(shown) ? shown : fontMetrics().elidedText(all, Qt::ElideMiddle, room);
+  const bool isWord = !text().contains(QLatin1Char(' '));
+  return fontMetrics().elidedText(text(), isWord ? Qt::ElideMiddle : Qt::ElideRight,
+                                  contentsRect().width());
 }
 
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {

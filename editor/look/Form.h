@@ -45,9 +45,9 @@ class FormSection : public QWidget {
   QGridLayout* grid_;
 };
 
-/// A single-line label without a minimum width. Text that does not fit loses its last parts, which
-/// are separated by " · "; a single part is elided in the middle. The tooltip and `text` contain
-/// the full text.
+/// A single-line label without a minimum width. Text that does not fit is elided at its end; a
+/// single word, such as the name of a file, in the middle. The tooltip and `text` contain the full
+/// text.
 class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent);

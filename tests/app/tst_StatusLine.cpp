@@ -77,6 +77,10 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(isHinted("Time limit reached, 1.0 s · Run one step"));
     hover({});
     QVERIFY(isHinted("Time limit reached, 1.0 s · Space replays"));
+    document().setSelection({document().entities(base::EntityKind::Robot).front()});
+    const QString robot = editor::displayName(*document().entity(document().selection().front()));
+    const QString first = QStringLiteral("Time limit reached, 1.0 s · %1 · ").arg(robot);
+    QVERIFY(isHinted(first.toUtf8().constData()));
   }
 
   /// A run goes on for a second after the arrival (stop rule of a scenario without a duration).
@@ -188,7 +192,15 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QCOMPARE(runner().state(), SimulationRunner::State::Running);
     QCoreApplication::processEvents();
     QCOMPARE(places(), before);
-    for (const int count : {9, 10, 99, 100, 999, 7}) {
+    for (const char* panel : {"runs", "study", "nav2"}) {
+      QWidget* counted = window_->docks().dock(QString::fromLatin1(panel))->widget();
+      for (const int count : {1, 20, 345}) {
+        Q_EMIT context.counted(counted, count, base::Severity::Info);
+        QCoreApplication::processEvents();
+        QCOMPARE(places(), before);
+      }
+    }
+    for (const int count : {9, 10, 99, 100, 999, 1152, 7}) {
       Q_EMIT context.counted(events, count, base::Severity::Info);
       QCoreApplication::processEvents();
       QCOMPARE(places(), before);
@@ -207,7 +219,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QTRY_VERIFY(!isHinted("F8 returns to the map"));
   }
 
-  void hint_thatDoesNotFit_losesItsLastPartsFirst() {
+  void hint_thatDoesNotFit_isElidedAtItsEnd() {
     window_->resize(window_->minimumSize());
     runner().play();
     QVector<editor::ElidedLabel*> hints;
@@ -222,11 +234,12 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(hint.visibleText().size() < hint.text().size());
     QCOMPARE(hint.text(), QStringLiteral("Space pauses · Click a person for details"));
     hint.resize(hint.fontMetrics().horizontalAdvance(hint.text()) - 5, hint.height());
-    QCOMPARE(hint.visibleText(), QStringLiteral("Space pauses …"));
-    hint.resize(hint.fontMetrics().horizontalAdvance(QStringLiteral("Space pau")), hint.height());
-    const QString shown = hint.visibleText();  // of one part the middle
-    QVERIFY2(shown.startsWith(QStringLiteral("Sp")) && !shown.endsWith(QStringLiteral("…")),
-             qPrintable(shown));
+    for (const char* const room : {"Space pauses · Click a", "Space pauses", "Space pau"}) {
+      hint.resize(hint.fontMetrics().horizontalAdvance(QString::fromUtf8(room)), hint.height());
+      const QString shown = hint.visibleText();
+      QVERIFY2(shown.endsWith(QStringLiteral("…")), qPrintable(shown));
+      QVERIFY2(hint.text().startsWith(shown.chopped(1)), qPrintable(shown));
+    }
     QCOMPARE(hint.toolTip(), hint.text());
   }
 };

@@ -1,6 +1,7 @@
 #include "app/window/Docks.h"
 #include "app/window/MainWindow.h"
 #include "app/window/files/FileCommands.h"
+#include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/MetricsDock.h"
@@ -301,6 +302,16 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QVERIFY(base::hasErrors(window_->files().problems()));
     window_->notices().choose(utf8("map"), 1);
     QVERIFY(!issues.hasErrors());
+  }
+
+  /// A scenario that was never saved is not "Saved".
+  void newScenario_isNewUntilItIsEdited() {
+    window_->files().newOpenPlane();
+    QVERIFY(isSaid(utf8("New")) && !isSaid(utf8("Saved")));
+    editor::pushAdd(document(), sim2d::GlobalGoal{});
+    QVERIFY(isSaid(utf8("Not saved")));
+    document().undoStack().undo();
+    QVERIFY(isSaid(utf8("New")));
   }
 
   void anotherProgramRemovesTheFile_isNotSavedAndAskedBeforeItIsLeft() {

@@ -43,6 +43,7 @@ class DocumentMapsTest : public QObject {
     check(sim2d::writeMap(*small::room(), map.toStdString()));
     check(document.newOnMap(map));
     QVERIFY(document.scenario().humans.empty());
+    QVERIFY(!document.isDirty() && !document.undoStack().canUndo());  // nothing is done yet
     QVERIFY(*document.map() == *small::room());
     QVERIFY(document.files().contains(map));  // and is watched
   }

@@ -385,7 +385,7 @@ void RunsPanel::showDivergences() {
 }
 
 void addRunsPanel(PanelRegistry& to) {
-  to.add(closedBottomPanel(72, QObject::tr("Runs")),
+  to.add(closedBottomPanel(72, QObject::tr("Runs"), true),
          [](PanelContext& context) { return new RunsPanel(context); });
 }
 
