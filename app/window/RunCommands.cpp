@@ -215,7 +215,7 @@ void setHistoryMemory(UserSettings& memory, SimulationRunner& runner, int megaby
 HistoryDialog::HistoryDialog(std::size_t memory, const editor::RecordingPtr& shown,
                              const editor::Theme& theme, QWidget* parent)
     : QDialog(parent) {
-  setWindowTitle(tr("Run history"));
+  setWindowTitle(tr("Memory for runs"));
   megabytes_->setRange(kLeastHistory, kMostHistory);
   megabytes_->setSingleStep(kHistoryStep);
   megabytes_->setSuffix(tr(" MB"));
@@ -225,7 +225,8 @@ HistoryDialog::HistoryDialog(std::size_t memory, const editor::RecordingPtr& sho
   megabytes_->setToolTip(
       tr("Memory per run\nMemory for the steps of a run that the timeline can show. 200 people "
          "need about 12 MB per minute."));
-  QLabel* title = editor::headingLabel(tr("Run history"), theme.font(12.0, QFont::DemiBold), this);
+  QLabel* title =
+      editor::headingLabel(tr("Memory for runs"), theme.font(12.0, QFont::DemiBold), this);
   QLabel* explanation = editor::secondaryLabel(
       tr("Older steps are stored in a temporary file until the run is closed. When the disk is "
          "full, the oldest are deleted and the timeline starts later."),

@@ -115,7 +115,7 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setIconSize(QSize(24, 24));
-  bar->setFixedHeight(kToolBarHeight);
+  bar->setMinimumHeight(kToolBarHeight);  // Grows to show the actions that do not fit.
   bar->toggleViewAction()->setEnabled(false);
   editor::describe(*bar->toggleViewAction(), QObject::tr("Always visible"));
   bar->addWidget(spacer(8, bar));

@@ -75,7 +75,7 @@ void WindowActions::makeFileActions() {
   settings =
       make(tr("Scenario &settings"), tr("Edit seed, duration and other settings of the scenario"),
            kCtrl | Qt::Key_Comma);
-  history = make(tr("Run &history…"), tr("Set the memory for the history of a run"));
+  history = make(tr("&Memory for runs…"), tr("Set the memory for the recorded steps of a run"));
   publishFoxglove =
       make(tr("Watch in &Foxglove"), tr("Publish new runs live at ws://localhost:8765"));
   publishRos2 =

@@ -187,6 +187,46 @@ class RunsAndFuturesTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(runs().comparison().table().rowCount() > 10, 30000);
   }
 
+  /// Branches cannot be started again, a run without branches can.
+  void reset_withBranches_asksFirst() {
+    runDemo(4.0);
+    window_->docks().show({text("runs")});
+    QAction& reset = *window_->workspace().playback().reset;
+    forkAt(2.0, nullptr);
+    QString asked;
+    quiet::answerBox(QMessageBox::Cancel, asked);
+    reset.trigger();
+    QVERIFY2(asked.contains(text("2 runs")), qPrintable(asked));
+    QCOMPARE(runner().branches().size(), std::size_t{2});
+    quiet::answerBox(QMessageBox::Discard, asked);
+    reset.trigger();
+    QCOMPARE(runner().state(), SimulationRunner::State::Editing);
+    QVERIFY(runner().branches().empty());
+    const auto* hint = widgets::findIf<QLabel>(runs().comparison(), [](const QLabel* label) {
+      return label->isVisible() && label->text().startsWith(text("Start a run"));
+    });
+    QVERIFY(hint != nullptr);
+    runToTheEnd();
+    reset.trigger();
+    QCOMPARE(runner().state(), SimulationRunner::State::Editing);
+  }
+
+  /// A branch that is paused at its start is compared, also with several runs; a branch of a branch
+  /// keeps the changes of that.
+  void branchOfABranch_pausedAtItsStart_isCompared() {
+    runDemo(4.0);
+    window_->docks().show({text("runs")});
+    forkAt(2.0, "dwa");
+    QTRY_VERIFY_WITH_TIMEOUT(runs().comparison().table().rowCount() > 10, 30000);
+    runToTheEnd();
+    forkAt(3.0, nullptr);
+    QCOMPARE(row(2).text(2), text("nothing, from ") + row(1).text(0));
+    QVERIFY(row(0).checkState(0) == Qt::Checked && row(1).checkState(0) == Qt::Checked);
+    QCOMPARE(runner().state(), SimulationRunner::State::Paused);
+    const QTableWidget& table = runs().comparison().table();
+    QTRY_VERIFY_WITH_TIMEOUT(table.rowCount() > 10 && table.columnCount() > 5, 30000);
+  }
+
   /// Only the newest state of a run has what robots perceive: no view has it beside others.
   void runs_sideBySide_showTheSameOverlays() {
     runDemo(3.0);

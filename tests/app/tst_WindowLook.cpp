@@ -45,6 +45,20 @@ class WindowLookTest : public QObject {
     QVERIFY(std::abs(actions[4] - demos[1]) <= 1);
   }
 
+  /// The actions that do not fit into the tool bar are shown below it on a click.
+  void toolBar_narrow_showsTheRestOnAClick() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    window_->resize(960, 700);
+    auto* bar = window_->findChild<QToolBar*>(QStringLiteral("tools"));
+    auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    QVERIFY(more != nullptr);
+    QTRY_VERIFY(more->isVisible());
+    QCOMPARE(bar->height(), 44);
+    QTest::mouseMove(more);
+    QTest::mouseClick(more, Qt::LeftButton);
+    QTRY_VERIFY2(bar->height() >= 2 * 32, qPrintable(QString::number(bar->height())));
+  }
+
   void emptyBoxes_inBothThemes_canBeSeen() {
     for (const editor::Theme& theme : {editor::Theme::light(), editor::Theme::dark()}) {
       editor::applyTheme(theme);

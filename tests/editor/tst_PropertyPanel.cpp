@@ -183,6 +183,35 @@ class PropertyPanelTest : public QObject {
     panel_->showFrame(nullptr);
   }
 
+  /// 1.37 m from centre to centre, of which the radii take 0.40 and 0.35 m.
+  void distanceToTheRobot_isThatOfTheMetrics() {
+    document_->setSelection({key(1)});
+    sim2d::TraceHeader header;
+    header.humans.resize(1);
+    header.humans[0].id = human(1).id;
+    header.humans[0].radius = 0.40;
+    header.robots.resize(1);
+    header.robots[0].id = -1;
+    header.robots[0].radius = 0.35;
+    sim2d::Frame frame;
+    frame.humans.add(human(1).id, {{2.0, 1.0}, 0.0}, {0.0, 0.0}, 0.0, sim2d::kNoGoal);
+    frame.humans.group = {-1};
+    frame.humans.state = {0};
+    frame.robots.add(-1, {{3.37, 1.0}, 0.0}, {0.0, 0.0}, 0.0, sim2d::kNoGoal);
+    const auto shown = std::make_shared<const sim2d::Frame>(frame);
+    const auto says = [this](const char* words) {
+      return widgets::findIf<QLabel>(*panel_, [words](const QLabel* label) {
+               return label->isVisible() && label->text() == QString::fromUtf8(words);
+             }) != nullptr;
+    };
+    panel_->showFrame(shown, false, std::make_shared<const sim2d::TraceHeader>(header));
+    QVERIFY(says("0.62 m, surface to surface"));
+    header.wrapX = {0.0, 2.37};  // A corridor with joined ends: the robot is 1 m behind.
+    panel_->showFrame(shown, false, std::make_shared<const sim2d::TraceHeader>(header));
+    QVERIFY(says("0.25 m, surface to surface"));
+    panel_->showFrame(nullptr);
+  }
+
   void page_ofARecordedRun_isReadOnly() {
     auto* speed = fieldOf<NumberField>({0}, "Top speed");
     const auto later = [this] {

@@ -86,11 +86,11 @@ QWidget* PreferencesDialog::makeGeneral() {
                          static_cast<QWidget*>(history_)}) {
     field->setFixedWidth(kFormFieldWidth);
   }
-  name(*history_, tr("Run history"),
+  name(*history_, tr("Memory for runs"),
        tr("Memory for the steps of a run that the timeline can show. 200 people need about 12 MB "
           "per "
           "minute."));
-  form->addRow(tr("Run &history"), history_);
+  form->addRow(tr("&Memory for runs"), history_);
   form->addRow(QString(), explanation(tr("Applies to runs started from now on."), page));
   form->addRow(tr("Numbers"),
                explanation(tr("Numbers have a decimal point (1.5) in every language, as in files. "

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "editor/canvas/Tool.h"
 #include "editor/document/EntityModel.h"
@@ -12,6 +13,8 @@
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/properties/EntityPages.h"
+#include "editor/panels/runs/Playback.h"
+#include "metrics/Samples.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/scenario/ResolvedValues.h"
 
@@ -105,6 +108,28 @@ QString manualPageOf(EntityKind kind) {
   }
 }
 
+constexpr double kUnknownGap = std::numeric_limits<double>::infinity();
+
+/// The smallest distance from a person to a robot, surface to surface as in the metrics [m]; 0:
+/// they touch.
+double gapToRobots(const sim2d::Frame& frame, const sim2d::TraceHeader& header,
+                   std::size_t person) {
+  const metrics::Seam seam = metrics::seamOf(header);
+  const sim2d::TraceHuman* const body = header.human(frame.humans.id[person]);
+  const base::Vec2 place(frame.humans.x[person], frame.humans.y[person]);
+  double nearest = kUnknownGap;
+  for (std::size_t i = 0; i < frame.robots.size(); ++i) {
+    const sim2d::TraceRobot* const robot = header.robot(frame.robots.id[i]);
+    if (body == nullptr || robot == nullptr) {
+      continue;
+    }
+    const base::Vec2 there = seam.nearest({frame.robots.x[i], frame.robots.y[i]}, place);
+    const double gap = (there - place).norm() - body->radius - robot->radius;
+    nearest = std::min(nearest, std::max(gap, 0.0));
+  }
+  return nearest;
+}
+
 /// The state of the selected person or robot in the run, and the distance of a person to the robot.
 /// Hidden without a run.
 class RunStateSection : public FormSection {
@@ -124,9 +149,12 @@ class RunStateSection : public FormSection {
   /// The action that drives the shown robot; its button is visible while the action is enabled.
   void setDriveAction(QAction* drive) { drive_->setDefaultAction(drive); }
   /// `agent` as in frames: people by id, robots negative; `robot`: the settings of that robot.
-  void show(const sim2d::Frame* frame, std::optional<int> agent, const sim2d::Robot* robot) {
+  /// `header` may be null.
+  void show(const sim2d::Frame* frame, const sim2d::TraceHeader* header, std::optional<int> agent,
+            const sim2d::Robot* robot) {
     setVisible(frame != nullptr && agent &&
-               (robot != nullptr ? showRobot(*frame, *agent, *robot) : showPerson(*frame, *agent)));
+               (robot != nullptr ? showRobot(*frame, *agent, *robot)
+                                 : showPerson(*frame, header, *agent)));
   }
 
  private:
@@ -147,22 +175,18 @@ class RunStateSection : public FormSection {
     return i;
   }
 
-  bool showPerson(const sim2d::Frame& frame, int id) {
+  bool showPerson(const sim2d::Frame& frame, const sim2d::TraceHeader* header, int id) {
     const sim2d::HumanColumns& people = frame.humans;
     const std::optional<std::size_t> index = showBody(people, id);
     if (!index) {
       return false;
     }
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < frame.robots.size(); ++i) {
-      const double dx = frame.robots.x[i] - people.x[*index];
-      const double dy = frame.robots.y[i] - people.y[*index];
-      nearest = std::min(nearest, std::sqrt(dx * dx + dy * dy));
-    }
+    const double nearest = header == nullptr ? kUnknownGap : gapToRobots(frame, *header, *index);
     setRowVisible(drive_, false);
     setNote(people.state[*index] != 0 ? tr("reacting") : QString());
-    setRowVisible(robot_, frame.robots.size() > 0);
-    robot_->setText(tr("%1 m away").arg(nearest, 0, 'f', 2));
+    setRowVisible(robot_, nearest < kUnknownGap);
+    robot_->setText(tr("%1 m, surface to surface").arg(nearest, 0, 'f', 2));
+    robot_->setToolTip(tr("Distance between the bodies, not their centres, as in the metrics"));
     return true;
   }
 
@@ -353,8 +377,10 @@ void PropertyPanel::setTheme(const Theme& theme) {
   follow();
 }
 
-void PropertyPanel::showFrame(const FramePtr& frame, bool isRecorded) {
+void PropertyPanel::showFrame(const FramePtr& frame, bool isRecorded,
+                              std::shared_ptr<const sim2d::TraceHeader> header) {
   frame_ = frame;
+  header_ = std::move(header);
   isRecorded_ = isRecorded;
   for (const auto& [kind, page] : pages_) {
     page->setEnabled(!isRecorded);
@@ -380,12 +406,12 @@ void PropertyPanel::showRunState() {
   later_->setVisible(frame_ != nullptr && !isRecorded_ && !spawnedAgent_);  // Guests are read-only.
   const std::vector<EntityId>& ids = document_.selection();
   if (spawnedAgent_) {
-    runState_->show(frame_.get(), spawnedAgent_->id, nullptr);
+    runState_->show(frame_.get(), header_.get(), spawnedAgent_->id, nullptr);
     return;
   }
   const std::optional<Entity> one =
       ids.size() == 1 && frame_ ? document_.entity(ids.front()) : std::nullopt;
-  runState_->show(frame_.get(), one ? agentOf(ids.front()) : std::nullopt,
+  runState_->show(frame_.get(), header_.get(), one ? agentOf(ids.front()) : std::nullopt,
                   one ? std::get_if<sim2d::Robot>(&*one) : nullptr);
 }
 
@@ -401,12 +427,16 @@ void addPropertyPanel(PanelRegistry& to) {
            }
            QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
                             [panel, &runner = context.runner](const FramePtr& frame) {
-                              panel->showFrame(frame, runner.isRecorded());
+                              const RecordingPtr recording = runner.recording();
+                              panel->showFrame(frame, runner.isRecorded(),
+                                               recording ? recording->header() : nullptr);
                             });
            QObject::connect(panel, &PropertyPanel::restartRequested, &context.runner,
-                            [&runner = context.runner] {
-                              runner.reset();
-                              runner.play();
+                            [panel, &runner = context.runner] {
+                              if (confirmDiscardOfBranches(runner, panel)) {
+                                runner.reset();
+                                runner.play();
+                              }
                             });
            const MapScene& scene = context.view.mapScene();
            QObject::connect(

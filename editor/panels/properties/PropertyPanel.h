@@ -22,7 +22,9 @@ class PropertyPanel : public QWidget {
   PropertyPage* currentPage() const { return current_; }
   /// Shows the state of a run; null ends it. Edits take effect at the next start; recorded runs are
   /// read-only.
-  void showFrame(const FramePtr& frame, bool isRecorded = false);
+  /// `header`: that of the run; null: the sizes of bodies are unknown.
+  void showFrame(const FramePtr& frame, bool isRecorded = false,
+                 std::shared_ptr<const sim2d::TraceHeader> header = nullptr);
   void setDriveAction(QAction* drive);
   /// A spawned person of the run, shown instead of the selection.
   void setSpawnedAgent(std::optional<sim2d::TraceHuman> spawnedAgent);
@@ -49,6 +51,7 @@ class PropertyPanel : public QWidget {
   RunStateSection* runState_;
   QWidget* later_ = new QWidget(this);
   bool isSame_ = true;  // No entities were added or removed in the current step.
+  std::shared_ptr<const sim2d::TraceHeader> header_;  // Null: unknown.
   FramePtr frame_;
   bool isRecorded_ = false;
   QStackedWidget* stack_ = new QStackedWidget(this);

@@ -98,7 +98,9 @@ base::Result<app::MetricsSetup> CompareTable::setup() const {
 }
 
 void CompareTable::showWaiting(Waiting what) {
-  nothing_->setText(what == Waiting::ForRuns
+  nothing_->setText(what == Waiting::ForStart
+                        ? tr("Start a run to branch from it or to compare it with recorded runs.")
+                    : what == Waiting::ForRuns
                         ? tr("Branch from an earlier moment, or add a recorded run. Checked runs "
                              "are compared with the displayed run.")
                     : what == Waiting::ForPause ? tr("Pause the run to compare it.")

@@ -90,7 +90,11 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
       runner_(runner),
       theme_(theme) {
   playPause->setShortcuts({Qt::Key_Space, int{Qt::CTRL} | Qt::Key_Space});  // Ctrl while typing.
-  connect(reset, &QAction::triggered, &runner_, &SimulationRunner::reset);
+  connect(reset, &QAction::triggered, this, [this] {
+    if (confirmDiscardOfBranches(runner_, QApplication::activeWindow())) {
+      runner_.reset();
+    }
+  });
   connect(stepBack, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
   connect(step, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
   connect(newest, &QAction::triggered, &runner_, &SimulationRunner::seekNewest);
@@ -142,6 +146,19 @@ QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {
   connect(&runner_, &SimulationRunner::speedRequested, box,
           [box](double factor) { showRequestedSpeed(*box, factor); });
   return box;
+}
+
+bool confirmDiscardOfBranches(const SimulationRunner& runner, QWidget* parent) {
+  const std::vector<RunnerBranch>& runs = runner.branches();
+  if (runs.size() < 2) {
+    return true;  // The same run can be started again.
+  }
+  return QMessageBox::question(
+             parent, QObject::tr("Discard the branches?"),
+             QObject::tr("The run and its branches (%1 runs in total) will be discarded.")
+                 .arg(runs.size()),
+             QMessageBox::Discard | QMessageBox::Cancel,
+             QMessageBox::Cancel) == QMessageBox::Discard;
 }
 
 TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,

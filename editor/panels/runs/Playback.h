@@ -32,6 +32,9 @@ QString tenthsText(double seconds);
 /// "0:12.4"
 QString clockText(double seconds);
 
+/// Asks before the branches of a run are discarded; true without branches.
+bool confirmDiscardOfBranches(const SimulationRunner& runner, QWidget* parent);
+
 /// The timeline of the run: clock, slider, ticks, event marks and notes. Dragging seeks; loop
 /// markers can be dragged, or drawn with Shift.
 class TimelineBar : public QWidget {

@@ -40,6 +40,14 @@ QIcon styleIcon(int style, const Theme& theme) {
   });
 }
 
+/// The name of the branch whose changes a branch keeps; empty: it branches from the first run.
+QString parentBranchOf(const std::vector<RunnerBranch>& all, const RunnerBranch& branch) {
+  const auto parent = std::find_if(all.begin(), all.end(), [&branch](const RunnerBranch& each) {
+    return each.number == branch.from && each.from >= 0;
+  });
+  return parent == all.end() ? QString() : parent->name;
+}
+
 }  // namespace
 
 RunsPanel::RunsPanel(PanelContext& context)
@@ -112,6 +120,9 @@ void RunsPanel::connectRuns() {
   connect(remove_, &QPushButton::clicked, this, &RunsPanel::removeChosen);
   connect(sideBySideButton_, &QPushButton::toggled, this, &RunsPanel::showSideBySide);
   later_.setSingleShot(true);
+  settled_.setSingleShot(true);
+  settled_.setInterval(200);
+  connect(&settled_, &QTimer::timeout, this, &RunsPanel::measure);
   connect(&later_, &QTimer::timeout, this, &RunsPanel::fillList);
   connect(list_, &QTreeWidget::itemChanged, this, &RunsPanel::handleCheckChange);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &RunsPanel::showChosen);
@@ -127,6 +138,11 @@ void RunsPanel::connectRuns() {
     afterEnd_ = 0.0;
     showGhosts();
     followChoice();
+    const RecordingPtr recording = context_.runner.recording();
+    if (recording != nullptr && recording->size() != measured_ &&
+        context_.runner.state() == SimulationRunner::State::Paused) {
+      settled_.start();  // A branch reached its start, or a step was made.
+    }
   });
   connect(&context_, &PanelContext::timeAfterEndChosen, this, [this](double time) {
     afterEnd_ = time;
@@ -227,8 +243,11 @@ void RunsPanel::fillItem(QTreeWidgetItem& item, const Row& row) {
   for (const RunnerBranch& branch : context_.runner.branches()) {
     if (branch.number == row.branch && branch.from >= 0) {
       item.setText(LeftAtColumn, clockText(branch.branchTime));
-      item.setText(ChangedColumn, branch.changed.isEmpty() ? tr("nothing") : branch.changed);
-      item.setToolTip(ChangedColumn, branch.changed);
+      const QString changed = branch.changed.isEmpty() ? tr("nothing") : branch.changed;
+      const QString parent = parentBranchOf(context_.runner.branches(), branch);
+      item.setText(ChangedColumn,
+                   parent.isEmpty() ? changed : tr("%1, from %2").arg(changed, parent));
+      item.setToolTip(ChangedColumn, item.text(ChangedColumn));
     }
   }
   item.setToolTip(RunNameColumn, row.folder.isEmpty() ? tr("Press F2 to rename") : row.folder);
@@ -363,7 +382,8 @@ void RunsPanel::measure() {
   }
   std::vector<CompareTable::Run> runs;
   const RecordingPtr recording = context_.runner.recording();
-  if (recording != nullptr && recording->size() > 0) {
+  measured_ = recording == nullptr ? 0 : recording->size();
+  if (measured_ > 0) {
     runs.push_back({recording, QStringLiteral("A"), -1});
     for (const Row& row : compared()) {
       const int style = styleOf(row);
@@ -371,7 +391,12 @@ void RunsPanel::measure() {
                       ghostStyle(static_cast<std::size_t>(style), context_.theme()).letter, style});
     }
   }
+  const bool isExpected = runs.empty() && !compared().empty();  // The branch has no states yet.
   table_->compare(std::move(runs));
+  if (isExpected || shownBranch() < 0) {
+    table_->showWaiting(isExpected ? CompareTable::Waiting::ForResults
+                                   : CompareTable::Waiting::ForStart);
+  }
   showDivergences();
 }
 

@@ -34,7 +34,7 @@ class CompareTable : public QWidget {
 
   void compare(std::vector<Run> runs);
   /// What is missing before there is a comparison, as shown in place of one.
-  enum class Waiting { ForRuns, ForPause, ForResults };
+  enum class Waiting { ForStart, ForRuns, ForPause, ForResults };
   void showWaiting(Waiting what);
   bool isBusy() const { return task_.isBusy(); }
   QTableWidget& table() const { return *table_; }
@@ -168,6 +168,8 @@ class RunsPanel : public QWidget {
   bool isFilling_ = false;
   bool isTakingEdit_ = false;  // The rows of the list must not change meanwhile.
   QTimer later_;               // Fills the list after the edit.
+  QTimer settled_;             // Measures after the last new state of a paused run.
+  std::size_t measured_ = 0;   // Number of states of the shown run when it was measured.
   LatestTask<std::shared_ptr<ReadRun>> reading_;
 };
 
