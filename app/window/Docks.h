@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// Property of the action of a panel that shows a count in each session: its button keeps the space
-/// for it.
+/// Property of the action of a panel that shows a count in each session: only its button shows it,
+/// and keeps the space for it.
 constexpr const char* kCountedProperty = "counted";
 /// Property of the same action: the button also keeps the space for the icon of the worst problem.
 constexpr const char* kMarkedProperty = "marked";

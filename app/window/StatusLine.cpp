@@ -248,7 +248,7 @@ QLabel* StatusLine::addRight(int width) {
   return label;
 }
 
-/// Adds buttons for closed panels, which show their counts, before the numbers.
+/// Adds buttons for closed panels before the numbers. Those with a count in each session show it.
 void StatusLine::addPanels(const QList<QAction*>& toggles) {
   panels_ = new QWidget(&bar_);
   auto* row = editor::configuredLayout(new QHBoxLayout(panels_), {0, 0, 8, 0}, 0);
@@ -261,6 +261,10 @@ void StatusLine::addPanels(const QList<QAction*>& toggles) {
     button->setFocusPolicy(Qt::NoFocus);  // each has a shortcut
     button->setFixedHeight(kPanelButton);
     row->addWidget(button);
+    if (!toggle->property(kCountedProperty).toBool()) {  // its tab has the count: this is for hints
+      connect(toggle, &QAction::changed, button,
+              [button, toggle] { button->setText(toggle->text()); });
+    }
     button->setMinimumWidth(slotWidth(*button, *toggle));
   }
   // The speed, which is shown only during a run, takes its space from the hint: the buttons stay.

@@ -33,7 +33,7 @@ class StatusLine : public QObject {
   QString runEnd_;      // end condition of the run, when it started
   bool isRun_ = false;  // a run is displayed
   QLabel *dot_ = new QLabel, *state_ = new QLabel;
-  editor::ElidedLabel* hint_ = new editor::ElidedLabel(nullptr);
+  editor::ElidedLabel* hint_ = new editor::ElidedLabel(nullptr, Qt::ElideRight);
   QWidget* panels_ = nullptr;
   QLabel *position_, *zoom_, *seed_, *speed_;
 };

@@ -17,7 +17,7 @@ constexpr int kFormRowHeight = 28;
 
 }  // namespace
 
-ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+ElidedLabel::ElidedLabel(QWidget* parent, Qt::TextElideMode mode) : QLabel(parent), mode_(mode) {
   setTextFormat(Qt::PlainText);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
@@ -29,9 +29,7 @@ void ElidedLabel::setFullText(const QString& words) {
 }
 
 QString ElidedLabel::visibleText() const {
-  const bool isWord = !text().contains(QLatin1Char(' '));
-  return fontMetrics().elidedText(text(), isWord ? Qt::ElideMiddle : Qt::ElideRight,
-                                  contentsRect().width());
+  return fontMetrics().elidedText(text(), mode_, contentsRect().width());
 }
 
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {

@@ -45,17 +45,19 @@ class FormSection : public QWidget {
   QGridLayout* grid_;
 };
 
-/// A single-line label without a minimum width. Text that does not fit is elided at its end; a
-/// single word, such as the name of a file, in the middle. The tooltip and `text` contain the full
-/// text.
+/// A single-line label without a minimum width. Text that does not fit is elided, a name in the
+/// middle, a sentence at its end. The tooltip and `text` contain the full text.
 class ElidedLabel : public QLabel {
  public:
-  explicit ElidedLabel(QWidget* parent);
+  explicit ElidedLabel(QWidget* parent, Qt::TextElideMode mode = Qt::ElideMiddle);
   void setFullText(const QString& words);
   QString visibleText() const;  // The text that currently fits.
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Qt::TextElideMode mode_;
 };
 
 /// A label in the secondary colour of the palette.

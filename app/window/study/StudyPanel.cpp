@@ -421,7 +421,7 @@ bool StudyPanel::save() {
 
 editor::PanelRegistry windowPanels() {
   editor::PanelRegistry panels = editor::standardPanels();
-  panels.add({90, QObject::tr("Study"), Qt::BottomDockWidgetArea, true, kRoom, false, true},
+  panels.add({90, QObject::tr("Study"), Qt::BottomDockWidgetArea, true, kRoom, false},
              [](editor::PanelContext& context) { return new StudyPanel(context); });
   return panels;
 }

@@ -195,7 +195,7 @@ bool Nav2Panel::saveAs(const QString& path) {
 }
 
 void addNav2Panel(PanelRegistry& to) {
-  PanelInfo info = closedBottomPanel(95, QObject::tr("Nav2"), true);
+  PanelInfo info = closedBottomPanel(95, QObject::tr("Nav2"));
   info.initialHeight = kHeight;
   to.add(info, [](PanelContext& context) { return new Nav2Panel(context); });
 }

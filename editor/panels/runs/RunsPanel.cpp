@@ -410,7 +410,7 @@ void RunsPanel::showDivergences() {
 }
 
 void addRunsPanel(PanelRegistry& to) {
-  to.add(closedBottomPanel(72, QObject::tr("Runs"), true),
+  to.add(closedBottomPanel(72, QObject::tr("Runs")),
          [](PanelContext& context) { return new RunsPanel(context); });
 }
 

@@ -74,7 +74,7 @@ class CompareTable : public QWidget {
   QStackedLayout* stack_ = new QStackedLayout(this);
   QLabel* nothing_ = emptyState({}, this);
   QTableWidget* table_ = new QTableWidget(this);
-  ElidedLabel* lengths_ = new ElidedLabel(this);
+  ElidedLabel* lengths_ = new ElidedLabel(this, Qt::ElideRight);
   QAbstractButton* wholeRuns_ = nullptr;
   MetricPlot* plot_;
   QString divergences_;
