@@ -55,7 +55,7 @@ class CommandHelpTest : public QObject, protected InFolder {
   }
 
   void everyCommand_hasUsageOptionsExamplesAndExitCodes() {
-    for (const auto& value : commands_) {
+    for (const QJsonValue& value : std::as_const(commands_)) {
       const QString name = value[text("name")].toString();
       const bool isWindow = name == text("hunavsim");
       const Finished help = runProgram(isWindow ? list("--help") : QStringList{name, text("-h")});
@@ -64,11 +64,13 @@ class CommandHelpTest : public QObject, protected InFolder {
                qPrintable(name));
       QVERIFY2(help.out.contains(text("\n  64 ")), qPrintable(name));
       QVERIFY2(!value[text("examples")].toArray().isEmpty(), qPrintable(name));
-      for (const auto& option : value[text("options")].toArray()) {
+      const QJsonArray options = value[text("options")].toArray();
+      for (const QJsonValue& option : options) {
         QVERIFY2(help.out.contains(option[text("names")][0].toString()), qPrintable(name));
         QVERIFY2(!option[text("description")].toString().isEmpty(), qPrintable(name));
       }
-      for (const auto& example : value[text("examples")].toArray()) {
+      const QJsonArray examples = value[text("examples")].toArray();
+      for (const QJsonValue& example : examples) {
         QVERIFY2(help.out.contains(text("\n  ") + example[text("line")].toString() + text("\n")),
                  qPrintable(name));
       }
@@ -77,7 +79,7 @@ class CommandHelpTest : public QObject, protected InFolder {
 
   /// 80 columns, unless a heading alone is wider.
   void everyHelp_fitsATerminal() {
-    for (const auto& value : commands_) {
+    for (const QJsonValue& value : std::as_const(commands_)) {
       const QString name = value[text("name")].toString();
       const bool isWindow = name == text("hunavsim");
       const Finished help =
@@ -106,7 +108,7 @@ class CommandHelpTest : public QObject, protected InFolder {
 
   void help_ofTheProgram_listsAllCommands() {
     const QString help = runProgram("--help").out;
-    for (const auto& value : commands_) {
+    for (const QJsonValue& value : std::as_const(commands_)) {
       const QString name = value[text("name")].toString();
       QVERIFY2(name == text("hunavsim") || help.contains(text("\n  ") + name + text(" ")),
                qPrintable(name));
@@ -121,7 +123,7 @@ class CommandHelpTest : public QObject, protected InFolder {
     const Finished page = runShell(text("groff"), list("-man -Tutf8 -ww %", {written("man")}));
     QCOMPARE(page.exitCode, 0);
     QCOMPARE(page.err, QString());
-    for (const auto& value : commands_) {
+    for (const QJsonValue& value : std::as_const(commands_)) {
       QVERIFY(page.out.contains(value[text("name")].toString()));
     }
   }

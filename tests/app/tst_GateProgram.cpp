@@ -138,7 +138,8 @@ class GateProgramTest : public QObject, InFolder {
     QVERIFY(difference[text("low")].toDouble() > 0.0);  // slower
     QVERIFY(difference[text("mean")].toDouble() > 20.0);
     QJsonObject slow;  // the first finding about times
-    for (const auto& each : json[text("findings")].toArray()) {
+    const QJsonArray findings = json[text("findings")].toArray();
+    for (const QJsonValue& each : findings) {
       if (slow.isEmpty() && each[text("what")].toString().startsWith(text("Time to reach"))) {
         slow = each.toObject();
       }
