@@ -262,8 +262,9 @@ void StatusLine::addPanels(const QList<QAction*>& toggles) {
     button->setFixedHeight(kPanelButton);
     row->addWidget(button);
     if (!toggle->property(kCountedProperty).toBool()) {  // its tab has the count: this is for hints
-      connect(toggle, &QAction::changed, button,
-              [button, toggle] { button->setText(toggle->text()); });
+      const auto showTitle = [button, toggle] { button->setText(toggle->text()); };
+      connect(toggle, &QAction::changed, button, showTitle);
+      showTitle();
     }
     button->setMinimumWidth(slotWidth(*button, *toggle));
   }
