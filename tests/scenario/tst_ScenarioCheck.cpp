@@ -148,8 +148,8 @@ class ScenarioCheckTest : public QObject {
 
   void shippedAndInteropFiles_haveNoImplausibleValues() {
     int files = 0;
-    for (const char* folder : {SOURCE_DIR "/maps", interopFolder().toUtf8().constData()}) {
-      QDirIterator each(QString::fromUtf8(folder), {QStringLiteral("*.yaml")}, QDir::Files,
+    for (const QString& folder : {QStringLiteral(SOURCE_DIR "/maps"), interopFolder()}) {
+      QDirIterator each(folder, {QStringLiteral("*.yaml")}, QDir::Files,
                         QDirIterator::Subdirectories);
       while (each.hasNext()) {
         const std::string path = each.next().toStdString();
