@@ -144,6 +144,7 @@ class StudyClicksTest : public QObject, protected quiet::InFolder {
     click(*widgets::withText<QPushButton>(panel(), text("Report")));
     QTRY_COMPARE_WITH_TIMEOUT(opened.files().size(), 1, kLong);
     QVERIFY(bytesOf(opened.files().front()).contains("class=\"verdict\""));
+    QCOMPARE(panel().message(), text("Report written to ") + at("yard_study_results/report.html"));
     QVERIFY2(clicks_ <= 5, qPrintable(QString::number(clicks_)));
   }
 

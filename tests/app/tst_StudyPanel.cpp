@@ -170,6 +170,32 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
             text("10.0"));
   }
 
+  void time_ofOneRunOfThree_isShownWithItsCount() {
+    StudyRow late = rowOf(1, 10.0);
+    StudyRow without = rowOf(2, 11.0);
+    late.metrics[text("time_to_reach_goal")] = 116.0;
+    without.metrics.erase(text("time_to_reach_goal"));
+    StudyRow another = without;
+    another.run = 3;
+    app::StudyResults results(nullptr);
+    results.begin({}, {});
+    const QTableWidget& table = results.comparison();
+    QVERIFY(table.horizontalHeaderItem(2)->toolTip().contains(text("no contact with a person")));
+    std::vector<int> widths;
+    for (int column = 2; column < table.columnCount(); ++column) {
+      widths.push_back(table.columnWidth(column));
+    }
+    results.add({late});
+    QCOMPARE(table.item(0, 3)->text(), text("116"));
+    results.add({without, another});
+    results.compare();
+    QCOMPARE(table.item(0, 3)->text(), text("116 (n = 1)"));
+    QVERIFY(!table.item(0, table.columnCount() - 1)->text().contains(text("n =")));
+    for (int column = 2; column < table.columnCount(); ++column) {  // not moved by the rows
+      QCOMPARE(table.columnWidth(column), widths[static_cast<std::size_t>(column) - 2]);
+    }
+  }
+
   void lines_thatAreNoRows_arePassedOver() {
     QVERIFY(!app::studyRowOf("no json"));
     QVERIFY(!app::studyRowOf("{\"other\": 1}"));

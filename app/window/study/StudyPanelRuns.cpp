@@ -230,9 +230,10 @@ void StudyPanel::openReport() {
   }
   const QString folder = resultsFolder();
   runProgram({QStringLiteral("report"), folder, QStringLiteral("--quiet")},
-             tr("Writing the report…"), [folder] {
-               QDesktopServices::openUrl(
-                   QUrl::fromLocalFile(QDir(folder).filePath(QStringLiteral("report.html"))));
+             tr("Writing the report…"), [this, folder] {
+               const QString page = QDir(folder).filePath(QStringLiteral("report.html"));
+               showMessage(tr("Report written to %1").arg(QDir::toNativeSeparators(page)));
+               QDesktopServices::openUrl(QUrl::fromLocalFile(page));
              });
 }
 

@@ -7,12 +7,14 @@
 #include "editor/look/Form.h"
 #include "editor/look/TableExport.h"
 #include "editor/panels/RowDelegate.h"
+#include "metrics/MetricRegistry.h"
 
 namespace app {
 
 namespace {
 
 constexpr int kCompareMs = 500;
+constexpr int kFirstMetric = 2;  // column, after option and runs
 enum Page { NothingPage, ComparisonPage, RunsPage };
 
 /// The scale of a column: of a rate from 0 to 1, otherwise all its intervals.
@@ -63,7 +65,10 @@ QWidget* StudyResults::makeComparison() {
   auto* page = new QWidget(this);
   auto* meaning = editor::secondaryLabel(
       tr("Mean of the finished runs [95 % confidence interval]. Bars: the same intervals, on one "
-         "scale per column. Rates: Wilson; other metrics: bootstrap (BCa)."),
+         "scale per column. Rates: Wilson; other metrics: bootstrap (BCa). n: runs that have a "
+         "value, "
+         "if not all have one. Success: the robot reached its goal in time, without contact with "
+         "people or obstacles."),
       page);
   meaning->setObjectName(QStringLiteral("study_brackets"));
   meaning->setWordWrap(true);
@@ -106,7 +111,7 @@ void StudyResults::begin(const QStringList& paths, const QString& compared) {
   compared_ = compared;
   runs_.begin(paths);
   resetColumns(*runTable_);
-  resetColumns(*comparison_);
+  fillHead();
   showPage();
 }
 
@@ -123,20 +128,34 @@ void StudyResults::add(const std::vector<StudyRow>& rows) {
   }
 }
 
-void StudyResults::compare() {
-  const auto options = runs_.byOption(compared_);
+/// The columns have space for usual values from the start: they do not move when rows arrive.
+void StudyResults::fillHead() {
   QStringList titles = {compared_.isEmpty() ? tr("Scenario") : pathTitle(compared_), tr("Runs")};
   for (const StudyMetric& metric : studyMetrics()) {
     titles.append(metric.heading());
   }
   setStudyColumns(*comparison_, titles, {0});
+  resetColumns(*comparison_);
+  int column = kFirstMetric;
+  for (const StudyMetric& metric : studyMetrics()) {
+    const metrics::MetricEntry* entry = metrics::standardRegistry().find(metric.key.toStdString());
+    comparison_->horizontalHeaderItem(column)->setToolTip(
+        metric.heading() + QLatin1Char('\n') + QString::fromStdString(entry->info.formula));
+    reserveColumn(*comparison_, column++,
+                  QLatin1String(metric.isRate ? "100 % [100, 100]" : "88.88 [88.88, 88.88]"));
+  }
+  widenColumns(*comparison_);
+}
+
+void StudyResults::compare() {
+  const auto options = runs_.byOption(compared_);
   comparison_->setRowCount(static_cast<int>(options.size()));
   int row = 0;
   for (const auto& [option, runs] : options) {
     comparison_->setItem(row, 0, studyCell(option, true));
     comparison_->setItem(row++, 1, studyCell(QString::number(runs.size()), false));
   }
-  int column = 2;
+  int column = kFirstMetric;
   for (const StudyMetric& metric : studyMetrics()) {
     fillColumn(column++, metric, options);
   }
@@ -155,7 +174,10 @@ void StudyResults::fillColumn(
   const auto [low, high] = scaleOf(metric, estimates);
   for (std::size_t row = 0; row < estimates.size(); ++row) {
     const report::Estimate& estimate = estimates[row];
-    const QString text = estimateText(metric, estimate);
+    QString text = estimateText(metric, estimate);
+    if (!estimate.values.empty() && estimate.values.size() < options[row].second.size()) {
+      text += tr(" (n = %1)").arg(estimate.values.size());
+    }
     comparison_->setItem(
         static_cast<int>(row), column,
         intervalCell(text.isEmpty() ? tr("–") : text, estimate.mean, estimate.interval, low, high));

@@ -28,6 +28,7 @@ class StudyResults : public QWidget {
   QWidget* makeComparison();
   void makeRuns();
   void showPage();
+  void fillHead();
   void fillColumn(int column, const StudyMetric& metric,
                   const std::vector<std::pair<QString, std::vector<const StudyRow*>>>& options);
 

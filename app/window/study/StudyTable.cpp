@@ -152,6 +152,12 @@ void resetColumns(QTableView& table) {
   }
 }
 
+void reserveColumn(QTableView& table, int column, const QString& text) {
+  const int width =
+      table.fontMetrics().horizontalAdvance(text) + qRound(3.0 * kCellPadding) + kColumnMargin / 2;
+  table.setColumnWidth(column, std::clamp(width, table.columnWidth(column), kMostColumn));
+}
+
 QTableWidgetItem* studyCell(const QString& text, bool isText) {
   auto* item = new QTableWidgetItem(text);
   item->setTextAlignment(int((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));

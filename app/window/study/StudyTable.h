@@ -40,6 +40,7 @@ void styleStudyHead(QHeaderView& head);
 /// Columns are only widened while results arrive, so that they do not move back and forth.
 void widenColumns(QTableView& table);
 void resetColumns(QTableView& table);
+void reserveColumn(QTableView& table, int column, const QString& text);  // for a cell with it
 
 QTableWidgetItem* studyCell(const QString& text, bool isText);
 /// A text with its interval below, on a scale from `low` to `high`; `marks`: places of vertical
