@@ -222,8 +222,9 @@ class RunOverlaysTest : public QObject, private CanvasTester {
     scene_.overlays().setContacts({now, later});
     turnOn(&CanvasOptions::contacts);
     const QImage image = shot();
-    QVERIFY(markedAt(image, {4.0 + 0.08, 8.0}) > 100);
-    QCOMPARE(markedAt(image, {8.0 + 0.08, 4.0}), 0);
+    const double aside = 3.6 / view_.pixelsPerMetre();  // Beside the white centre of the sign.
+    QVERIFY(markedAt(image, {4.0 + aside, 8.0}) > 100);
+    QCOMPARE(markedAt(image, {8.0 + aside, 4.0}), 0);
     QCOMPARE(scene_.overlays().contactsSoFar(editor::ContactCause::Robot), std::size_t{1});
     QCOMPARE(scene_.overlays().contactsSoFar(editor::ContactCause::Person), std::size_t{0});
   }
