@@ -77,7 +77,7 @@ RunsPanel::~RunsPanel() {
 
 QWidget* RunsPanel::makeHead() {
   auto* head = new QWidget(this);
-  add_->setToolTip(tr("Add a recorded run to compare: the output folder of `run`"));
+  add_->setToolTip(tr("Add a recorded run to compare: the output folder of hunavsim run"));
   show_->setToolTip(tr("Show this run at the same time step"));
   remove_->setToolTip(tr("Remove this run from the list"));
   sideBySideButton_->setToolTip(tr("Show up to four compared runs beside the map"));
