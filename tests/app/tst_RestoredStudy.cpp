@@ -179,6 +179,8 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
               QByteArray(kYardText).replace("max_vel: 1.2", "max_vel: 1.1"));
     QVERIFY(panel().openFile(file));
     QCOMPARE(rows(), std::size_t{4});
+    QTRY_VERIFY2(panel().message().endsWith(text("yard.yaml has changed since the study ran")),
+                 qPrintable(panel().message()));
     panel().start();
     waitForEnd();
     QVERIFY2(panel().message().contains(text("has changed since the batch started")),

@@ -321,6 +321,7 @@ void StudyPanel::showRestored() {
   if (file_.isEmpty()) {  // a new study
     displayedExperiment_.reset();
     folderProblem_.clear();
+    changedInput_.clear();
     total_ = 0;
     before_ = 0;
     results_->begin({}, {});
@@ -335,6 +336,7 @@ void StudyPanel::showRestored() {
   total_ = earlier.runs;
   before_ = earlier.rows.size();
   folderProblem_ = earlier.trouble;
+  changedInput_ = earlier.changedInput;
   results_->begin(earlier.paths, of ? comparedPath(*of) : QString());
   results_->add(earlier.rows);
 }
@@ -347,6 +349,7 @@ void StudyPanel::showResultsOf(const Experiment& experiment) {
   }
   displayedExperiment_ = experiment;
   folderProblem_.clear();
+  changedInput_.clear();
   results_->begin(paths, comparedPath(experiment));
 }
 
@@ -399,6 +402,9 @@ QStringList StudyPanel::messagesFor(const base::Result<Experiment>& checked) con
     words.append(folderProblem_);  // begins with the name of a file
   } else if (finished > 0 && !isEdited_) {
     words.append(tr("%1 of %2 finished").arg(finished).arg(total_));
+    if (!changedInput_.isEmpty()) {
+      words.append(tr("%1 has changed since the study ran").arg(changedInput_));
+    }
   }
   return words;
 }

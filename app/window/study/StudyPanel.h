@@ -181,6 +181,7 @@ class StudyPanel : public QWidget {
   QElapsedTimer since_;
   QTimer check_;
   editor::ElidedLabel* name_ = new editor::ElidedLabel(this);
+  QString changedInput_;  // An input file that has changed since the displayed runs; empty: none.
   QLabel* messageLabel_ = new QLabel(this);
   bool isMessageProblem_ = false;
   QProgressBar* progress_ = new QProgressBar(this);

@@ -167,6 +167,13 @@ RestoredStudy restoredFrom(const ResultStore& store) {
   const base::Diagnostics unread = store.forEach(
       [&](const StoredRun& stored) { earlier.rows.push_back(rowOf(stored, earlier.paths)); });
   earlier.trouble = unread.empty() ? QString() : textOf(unread);
+  const std::vector<InputHash>& inputs = store.study().inputs;
+  for (std::size_t k = 1; k < inputs.size() && earlier.changedInput.isEmpty(); ++k) {
+    const std::optional<std::string> now = sha256OfFile(inputs[k].path);
+    if (now && !inputs[k].sha256.empty() && *now != inputs[k].sha256) {
+      earlier.changedInput = QFileInfo(QString::fromStdString(inputs[k].path)).fileName();
+    }
+  }
   return earlier;
 }
 

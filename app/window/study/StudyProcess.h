@@ -47,6 +47,7 @@ struct RestoredStudy {
   std::size_t runs = 0;                   // number of runs, finished or not
   std::optional<std::string> experiment;  // experiment text, if the results contain it
   QString trouble;                        // why results could not be read
+  QString changedInput;                   // name of an input file that differs now; empty: none
 };
 
 /// Reads the database, otherwise results.csv; neither is changed. Without a folder there are no
