@@ -35,24 +35,24 @@
 <context>
     <name>Breakpoint</name>
     <message>
-        <source>is ticked</source>
-        <translation>recibe un tick</translation>
+        <source>starts to be ticked</source>
+        <translation>empieza a recibir ticks</translation>
     </message>
     <message>
-        <source>runs</source>
-        <translation>se ejecuta</translation>
+        <source>starts to run</source>
+        <translation>empieza a ejecutarse</translation>
     </message>
     <message>
-        <source>succeeds</source>
-        <translation>tiene éxito</translation>
+        <source>starts to succeed</source>
+        <translation>empieza a tener éxito</translation>
     </message>
     <message>
-        <source>fails</source>
-        <translation>falla</translation>
+        <source>starts to fail</source>
+        <translation>empieza a fallar</translation>
     </message>
     <message>
-        <source>is skipped</source>
-        <translation>se omite</translation>
+        <source>starts to be skipped</source>
+        <translation>empieza a omitirse</translation>
     </message>
 </context>
 <context>
@@ -4693,10 +4693,6 @@
         <translation>Punto de interrupción condicional</translation>
     </message>
     <message>
-        <source>Stop when the node is ticked and this blackboard condition holds, for example  id == 2:</source>
-        <translation>Detener cuando el nodo recibe un tick y se cumple esta condición de la pizarra, por ejemplo  id == 2:</translation>
-    </message>
-    <message>
         <source>when it %1</source>
         <translation>cuando %1</translation>
     </message>
@@ -4711,10 +4707,6 @@
     <message>
         <source>It %1</source>
         <translation>Si %1</translation>
-    </message>
-    <message>
-        <source>A condition holds…</source>
-        <translation>Se cumple una condición…</translation>
     </message>
     <message>
         <source>Break when</source>
@@ -5538,6 +5530,22 @@ Elegir qué muestra el mapa</translation>
         <source>no</source>
         <translation>no</translation>
     </message>
+    <message>
+        <source>Stop when the node starts to be ticked with this blackboard condition true, for example  id == 2:</source>
+        <translation>Detener cuando el nodo empieza a recibir ticks con esta condición de la pizarra cumplida, por ejemplo  id == 2:</translation>
+    </message>
+    <message>
+        <source>A condition becomes true…</source>
+        <translation>Se cumple una condición…</translation>
+    </message>
+    <message>
+        <source>Discard the branches?</source>
+        <translation>¿Descartar las ramas?</translation>
+    </message>
+    <message>
+        <source>The run and its branches (%1 runs in total) will be discarded.</source>
+        <translation>Se descartarán la ejecución y sus ramas (%1 ejecuciones en total).</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -6241,6 +6249,10 @@ Elegir qué muestra el mapa</translation>
         <source>Scenarios, maps, map images, packed studies (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</source>
         <translation>Escenarios, mapas, imágenes de mapa, estudios empaquetados (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</translation>
     </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Guardado %1</translation>
+    </message>
 </context>
 <context>
     <name>app::GatePage</name>
@@ -6352,24 +6364,12 @@ Elegir qué muestra el mapa</translation>
         <translation>Pulse %1 o haga clic en la herramienta de personas.</translation>
     </message>
     <message>
-        <source>The person walks to the goal …</source>
-        <translation>La persona camina hacia el objetivo …</translation>
-    </message>
-    <message>
         <source>Press Space, or Play in the tool bar.</source>
         <translation>Pulse Espacio, o Reproducir en la barra de herramientas.</translation>
     </message>
     <message>
-        <source>Click a metric in the list to plot it over time.</source>
-        <translation>Haga clic en una métrica de la lista para ver su gráfica en el tiempo.</translation>
-    </message>
-    <message>
         <source>Click Metrics in the status bar at the bottom.</source>
         <translation>Haga clic en Métricas en la barra de estado, abajo.</translation>
-    </message>
-    <message>
-        <source>Ctrl+R returns to editing, %1 finds every command, F1 opens the manual. The next chapter adds a robot.</source>
-        <translation>Ctrl+R vuelve a la edición, %1 encuentra todas las órdenes, F1 abre el manual. El capítulo siguiente añade un robot.</translation>
     </message>
     <message>
         <source>First scenario in the manual</source>
@@ -6407,13 +6407,41 @@ Elegir qué muestra el mapa</translation>
         <source>Open the manual</source>
         <translation>Abrir el manual</translation>
     </message>
+    <message>
+        <source>Place a robot</source>
+        <translation>Coloque un robot</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot should drive to.</source>
+        <translation>Haga clic en el mapa donde el robot debe ir.</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot should start.</source>
+        <translation>Haga clic en el mapa donde el robot debe empezar.</translation>
+    </message>
+    <message>
+        <source>The robot needs a goal. Press %1 for the robot tool, click where it should start, then where it should drive to.</source>
+        <translation>El robot necesita un objetivo. Pulse %1 para la herramienta de robots, haga clic donde debe empezar y luego donde debe ir.</translation>
+    </message>
+    <message>
+        <source>Press %1 or click the robot tool.</source>
+        <translation>Pulse %1 o haga clic en la herramienta de robots.</translation>
+    </message>
+    <message>
+        <source>Person and robot move to their goals …</source>
+        <translation>La persona y el robot van hacia sus objetivos …</translation>
+    </message>
+    <message>
+        <source>Click a metric with a value, such as Path length, to plot it over time.</source>
+        <translation>Haga clic en una métrica con valor, como Longitud del camino, para ver su gráfica en el tiempo.</translation>
+    </message>
+    <message>
+        <source>Ctrl+R returns to editing, %1 finds every command, F1 opens the manual.</source>
+        <translation>Ctrl+R vuelve a la edición, %1 encuentra todas las órdenes, F1 abre el manual.</translation>
+    </message>
 </context>
 <context>
     <name>app::HistoryDialog</name>
-    <message>
-        <source>Run history</source>
-        <translation>Historial de ejecución</translation>
-    </message>
     <message>
         <source> MB</source>
         <translation> MB</translation>
@@ -6439,6 +6467,10 @@ Memoria para los pasos de una ejecución que la línea de tiempo puede mostrar. 
     <message>
         <source>Set</source>
         <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Memory for runs</source>
+        <translation>Memoria para ejecuciones</translation>
     </message>
 </context>
 <context>
@@ -6599,6 +6631,10 @@ Memoria para los pasos de una ejecución que la línea de tiempo puede mostrar. 
     <message>
         <source>&lt;b&gt;HuNavSim Desktop %1&lt;/b&gt;&lt;br&gt;Scenarios for human-aware navigation: draw, simulate, measure.</source>
         <translation>&lt;b&gt;HuNavSim Desktop %1&lt;/b&gt;&lt;br&gt;Escenarios para la navegación consciente de las personas: dibujar, simular, medir.</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nuevo</translation>
     </message>
 </context>
 <context>
@@ -6990,16 +7026,8 @@ Sin ellas, el mapa cambia de inmediato</translation>
         <translation> MB</translation>
     </message>
     <message>
-        <source>Run history</source>
-        <translation>Historial de ejecución</translation>
-    </message>
-    <message>
         <source>Memory for the steps of a run that the timeline can show. 200 people need about 12 MB per minute.</source>
         <translation>Memoria para los pasos de una ejecución que la línea de tiempo puede mostrar. 200 personas necesitan unos 12 MB por minuto.</translation>
-    </message>
-    <message>
-        <source>Run &amp;history</source>
-        <translation>&amp;Historial</translation>
     </message>
     <message>
         <source>Applies to runs started from now on.</source>
@@ -7082,6 +7110,14 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
     <message>
         <source>Follow system</source>
         <translation>Como el escritorio</translation>
+    </message>
+    <message>
+        <source>Memory for runs</source>
+        <translation>Memoria para ejecuciones</translation>
+    </message>
+    <message>
+        <source>&amp;Memory for runs</source>
+        <translation>&amp;Memoria para ejecuciones</translation>
     </message>
 </context>
 <context>
@@ -8064,6 +8100,14 @@ Pulse las teclas para la orden seleccionada</translation>
         <source>F8 returns to the map</source>
         <translation>F8 vuelve al mapa</translation>
     </message>
+    <message>
+        <source>Goal not reached</source>
+        <translation>Objetivo no alcanzado</translation>
+    </message>
+    <message>
+        <source>Goal reached</source>
+        <translation>Objetivo alcanzado</translation>
+    </message>
 </context>
 <context>
     <name>app::StudyForm</name>
@@ -8334,6 +8378,14 @@ Pulse las teclas para la orden seleccionada</translation>
         <source>Replaying %1…</source>
         <translation>Repitiendo %1…</translation>
     </message>
+    <message>
+        <source>%1 has changed since the study ran</source>
+        <translation>%1 ha cambiado desde que se ejecutó el estudio</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Informe escrito en %1</translation>
+    </message>
 </context>
 <context>
     <name>app::StudyProcess</name>
@@ -8359,10 +8411,6 @@ For each seed, all planners run with the same people.</source>
 Para cada semilla, todos los planificadores se ejecutan con las mismas personas.</translation>
     </message>
     <message>
-        <source>Mean of the finished runs [95 % confidence interval]. Bars: the same intervals, on one scale per column. Rates: Wilson; other metrics: bootstrap (BCa).</source>
-        <translation>Media de las ejecuciones terminadas [intervalo de confianza del 95 %]. Barras: los mismos intervalos, con una escala por columna. Tasas: Wilson; otras métricas: bootstrap (BCa).</translation>
-    </message>
-    <message>
         <source>Runs of the study</source>
         <translation>Ejecuciones del estudio</translation>
     </message>
@@ -8377,6 +8425,14 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+    <message>
+        <source>Mean of the finished runs [95 % confidence interval]. Bars: the same intervals, on one scale per column. Rates: Wilson; other metrics: bootstrap (BCa). n: runs that have a value, if not all have one. Success: the robot reached its goal in time, without contact with people or obstacles.</source>
+        <translation>Media de las ejecuciones terminadas [intervalo de confianza del 95 %]. Barras: los mismos intervalos, con una escala por columna. Tasas: Wilson; otras métricas: bootstrap (BCa). n: ejecuciones que tienen un valor, si no lo tienen todas. Éxito: el robot alcanzó su objetivo a tiempo, sin contacto con personas ni obstáculos.</translation>
+    </message>
+    <message>
+        <source> (n = %1)</source>
+        <translation> (n = %1)</translation>
     </message>
 </context>
 <context>
@@ -8998,14 +9054,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Editar semilla, duración y otros ajustes del escenario</translation>
     </message>
     <message>
-        <source>Run &amp;history…</source>
-        <translation>&amp;Historial de ejecución…</translation>
-    </message>
-    <message>
-        <source>Set the memory for the history of a run</source>
-        <translation>Fijar la memoria para el historial de una ejecución</translation>
-    </message>
-    <message>
         <source>Watch in &amp;Foxglove</source>
         <translation>Ver en &amp;Foxglove</translation>
     </message>
@@ -9352,6 +9400,14 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Open a recorded run or the results of a study: the output folder of a command</source>
         <translation>Abrir una ejecución grabada o los resultados de un estudio: la carpeta de salida de un comando</translation>
+    </message>
+    <message>
+        <source>&amp;Memory for runs…</source>
+        <translation>&amp;Memoria para ejecuciones…</translation>
+    </message>
+    <message>
+        <source>Set the memory for the recorded steps of a run</source>
+        <translation>Fijar la memoria para los pasos guardados de una ejecución</translation>
     </message>
 </context>
 <context>
@@ -9912,6 +9968,10 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Comparing the runs…</source>
         <translation>Comparando las ejecuciones…</translation>
+    </message>
+    <message>
+        <source>Start a run to branch from it or to compare it with recorded runs.</source>
+        <translation>Inicie una ejecución para ramificarla o compararla con ejecuciones grabadas.</translation>
     </message>
 </context>
 <context>
@@ -10661,6 +10721,14 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <source>Robot whose metrics are shown</source>
         <translation>Robot cuyas métricas se muestran</translation>
     </message>
+    <message>
+        <source>%1 needs a robot: press B, then click its start and its goal.</source>
+        <translation>%1 necesita un robot: pulse B y haga clic en su inicio y su objetivo.</translation>
+    </message>
+    <message>
+        <source>%1 has no value: %2</source>
+        <translation>%1 no tiene valor: %2</translation>
+    </message>
 </context>
 <context>
     <name>editor::MetricsTable</name>
@@ -10739,6 +10807,10 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Save choice</source>
         <translation>Guardar selección</translation>
+    </message>
+    <message>
+        <source>needs a robot</source>
+        <translation>necesita un robot</translation>
     </message>
 </context>
 <context>
@@ -10841,6 +10913,22 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source> · applies at the next start</source>
         <translation> · se aplica en el próximo inicio</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Show changed and unchanged values</source>
+        <translation>Mostrar los valores cambiados y los no cambiados</translation>
+    </message>
+    <message>
+        <source>No changed values</source>
+        <translation>No hay valores cambiados</translation>
+    </message>
+    <message>
+        <source>No changed values match the filter</source>
+        <translation>Ningún valor cambiado coincide con el filtro</translation>
     </message>
 </context>
 <context>
@@ -11008,6 +11096,18 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Use the default</source>
         <translation>Usar el valor predeterminado</translation>
+    </message>
+    <message>
+        <source>must be %1</source>
+        <translation>debe ser %1</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>no es un número</translation>
+    </message>
+    <message>
+        <source>not a number; must be %1</source>
+        <translation>no es un número; debe ser %1</translation>
     </message>
 </context>
 <context>
@@ -11396,14 +11496,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
 <context>
     <name>editor::PlaybackActions</name>
     <message>
-        <source>Reset</source>
-        <translation>Restablecer</translation>
-    </message>
-    <message>
-        <source>End the run and return to editing</source>
-        <translation>Terminar la ejecución y volver a la edición</translation>
-    </message>
-    <message>
         <source>Step back</source>
         <translation>Paso atrás</translation>
     </message>
@@ -11460,6 +11552,14 @@ Segundos simulados por segundo real</translation>
     <message>
         <source>Speed</source>
         <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Return to editing</source>
+        <translation>Volver a la edición</translation>
+    </message>
+    <message>
+        <source>End the run; the scenario can be edited again</source>
+        <translation>Terminar la ejecución; el escenario se puede editar de nuevo</translation>
     </message>
 </context>
 <context>
@@ -11989,8 +12089,12 @@ Clic para ver opciones, Supr lo quita</translation>
         <translation>reaccionando</translation>
     </message>
     <message>
-        <source>%1 m away</source>
-        <translation>a %1 m</translation>
+        <source>%1 m, surface to surface</source>
+        <translation>%1 m, de superficie a superficie</translation>
+    </message>
+    <message>
+        <source>Distance between the bodies, not their centres, as in the metrics</source>
+        <translation>Distancia entre los cuerpos, no entre sus centros, como en las métricas</translation>
     </message>
 </context>
 <context>
@@ -12026,10 +12130,6 @@ Clic para ver opciones, Supr lo quita</translation>
 </context>
 <context>
     <name>editor::RunsPanel</name>
-    <message>
-        <source>Add a recorded run to compare: the output folder of `run`</source>
-        <translation>Añadir una ejecución grabada para comparar: la carpeta de salida de `run`</translation>
-    </message>
     <message>
         <source>Show this run at the same time step</source>
         <translation>Mostrar esta ejecución en el mismo paso</translation>
@@ -12093,6 +12193,22 @@ Clic para ver opciones, Supr lo quita</translation>
     <message>
         <source>Side by side</source>
         <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>Add a recorded run to compare: the output folder of hunavsim run</source>
+        <translation>Añadir una ejecución grabada para comparar: la carpeta de salida de hunavsim run</translation>
+    </message>
+    <message>
+        <source>%1, from %2</source>
+        <translation>%1, desde %2</translation>
+    </message>
+    <message>
+        <source>%1 ended at %2 s</source>
+        <translation>%1 terminó en %2 s</translation>
+    </message>
+    <message>
+        <source>ended at %1 s</source>
+        <translation>terminó en %1 s</translation>
     </message>
 </context>
 <context>
@@ -12537,6 +12653,13 @@ Pulse P y haga clic para colocar una persona.</translation>
     <message>
         <source>Publish people</source>
         <translation>Publicar personas</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SideView</name>
+    <message>
+        <source>ended at %1 s</source>
+        <translation>terminó en %1 s</translation>
     </message>
 </context>
 <context>

@@ -35,24 +35,24 @@
 <context>
     <name>Breakpoint</name>
     <message>
-        <source>is ticked</source>
-        <translation>被 tick 时</translation>
+        <source>starts to be ticked</source>
+        <translation>开始被 tick 时</translation>
     </message>
     <message>
-        <source>runs</source>
-        <translation>运行时</translation>
+        <source>starts to run</source>
+        <translation>开始运行时</translation>
     </message>
     <message>
-        <source>succeeds</source>
-        <translation>成功时</translation>
+        <source>starts to succeed</source>
+        <translation>开始成功时</translation>
     </message>
     <message>
-        <source>fails</source>
-        <translation>失败时</translation>
+        <source>starts to fail</source>
+        <translation>开始失败时</translation>
     </message>
     <message>
-        <source>is skipped</source>
-        <translation>被跳过时</translation>
+        <source>starts to be skipped</source>
+        <translation>开始被跳过时</translation>
     </message>
 </context>
 <context>
@@ -4693,10 +4693,6 @@
         <translation>条件断点</translation>
     </message>
     <message>
-        <source>Stop when the node is ticked and this blackboard condition holds, for example  id == 2:</source>
-        <translation>当节点被 tick 且满足此黑板条件时停止，例如  id == 2：</translation>
-    </message>
-    <message>
         <source>when it %1</source>
         <translation>当其%1</translation>
     </message>
@@ -4711,10 +4707,6 @@
     <message>
         <source>It %1</source>
         <translation>当其%1</translation>
-    </message>
-    <message>
-        <source>A condition holds…</source>
-        <translation>满足条件时…</translation>
     </message>
     <message>
         <source>Break when</source>
@@ -5538,6 +5530,22 @@ Choose what the map shows</source>
         <source>no</source>
         <translation>否</translation>
     </message>
+    <message>
+        <source>Stop when the node starts to be ticked with this blackboard condition true, for example  id == 2:</source>
+        <translation>当节点开始被 tick 且此黑板条件为真时停止，例如  id == 2：</translation>
+    </message>
+    <message>
+        <source>A condition becomes true…</source>
+        <translation>条件变为真时…</translation>
+    </message>
+    <message>
+        <source>Discard the branches?</source>
+        <translation>放弃分支？</translation>
+    </message>
+    <message>
+        <source>The run and its branches (%1 runs in total) will be discarded.</source>
+        <translation>运行及其分支（共 %1 个运行）将被放弃。</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -6241,6 +6249,10 @@ Choose what the map shows</source>
         <source>Scenarios, maps, map images, packed studies (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</source>
         <translation>场景、地图、地图图像、打包的研究 (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg *.hnv)</translation>
     </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
 </context>
 <context>
     <name>app::GatePage</name>
@@ -6352,24 +6364,12 @@ Choose what the map shows</source>
         <translation>按 %1 或单击行人工具。</translation>
     </message>
     <message>
-        <source>The person walks to the goal …</source>
-        <translation>行人正走向目标点 …</translation>
-    </message>
-    <message>
         <source>Press Space, or Play in the tool bar.</source>
         <translation>按空格键，或单击工具栏中的“播放”。</translation>
     </message>
     <message>
-        <source>Click a metric in the list to plot it over time.</source>
-        <translation>单击列表中的指标以绘制其随时间变化的曲线。</translation>
-    </message>
-    <message>
         <source>Click Metrics in the status bar at the bottom.</source>
         <translation>单击底部状态栏中的“指标”。</translation>
-    </message>
-    <message>
-        <source>Ctrl+R returns to editing, %1 finds every command, F1 opens the manual. The next chapter adds a robot.</source>
-        <translation>Ctrl+R 返回编辑，%1 可查找所有命令，F1 打开手册。下一章将添加机器人。</translation>
     </message>
     <message>
         <source>First scenario in the manual</source>
@@ -6407,13 +6407,41 @@ Choose what the map shows</source>
         <source>Open the manual</source>
         <translation>打开手册</translation>
     </message>
+    <message>
+        <source>Place a robot</source>
+        <translation>放置机器人</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot should drive to.</source>
+        <translation>在地图上单击机器人要前往的位置。</translation>
+    </message>
+    <message>
+        <source>Click on the map where the robot should start.</source>
+        <translation>在地图上单击机器人的起点。</translation>
+    </message>
+    <message>
+        <source>The robot needs a goal. Press %1 for the robot tool, click where it should start, then where it should drive to.</source>
+        <translation>机器人需要目标点。按 %1 选择机器人工具，先单击起点，再单击要前往的位置。</translation>
+    </message>
+    <message>
+        <source>Press %1 or click the robot tool.</source>
+        <translation>按 %1 或单击机器人工具。</translation>
+    </message>
+    <message>
+        <source>Person and robot move to their goals …</source>
+        <translation>行人和机器人正前往各自的目标点 …</translation>
+    </message>
+    <message>
+        <source>Click a metric with a value, such as Path length, to plot it over time.</source>
+        <translation>单击有值的指标（例如路径长度），绘制其随时间变化的曲线。</translation>
+    </message>
+    <message>
+        <source>Ctrl+R returns to editing, %1 finds every command, F1 opens the manual.</source>
+        <translation>Ctrl+R 返回编辑，%1 查找所有命令，F1 打开手册。</translation>
+    </message>
 </context>
 <context>
     <name>app::HistoryDialog</name>
-    <message>
-        <source>Run history</source>
-        <translation>运行历史</translation>
-    </message>
     <message>
         <source> MB</source>
         <translation> MB</translation>
@@ -6439,6 +6467,10 @@ Memory for the steps of a run that the timeline can show. 200 people need about 
     <message>
         <source>Set</source>
         <translation>设置</translation>
+    </message>
+    <message>
+        <source>Memory for runs</source>
+        <translation>运行内存</translation>
     </message>
 </context>
 <context>
@@ -6599,6 +6631,10 @@ Memory for the steps of a run that the timeline can show. 200 people need about 
     <message>
         <source>&lt;b&gt;HuNavSim Desktop %1&lt;/b&gt;&lt;br&gt;Scenarios for human-aware navigation: draw, simulate, measure.</source>
         <translation>&lt;b&gt;HuNavSim Desktop %1&lt;/b&gt;&lt;br&gt;面向人机共融导航的场景：绘制、仿真、测量。</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新建</translation>
     </message>
 </context>
 <context>
@@ -6990,16 +7026,8 @@ Without animations, the map changes immediately</source>
         <translation> MB</translation>
     </message>
     <message>
-        <source>Run history</source>
-        <translation>运行历史</translation>
-    </message>
-    <message>
         <source>Memory for the steps of a run that the timeline can show. 200 people need about 12 MB per minute.</source>
         <translation>用于存储时间轴可显示的运行步的内存。200 名行人每分钟约需 12 MB。</translation>
-    </message>
-    <message>
-        <source>Run &amp;history</source>
-        <translation>运行历史(&amp;H)</translation>
     </message>
     <message>
         <source>Applies to runs started from now on.</source>
@@ -7082,6 +7110,14 @@ After a crash, the program offers to restore them</source>
     <message>
         <source>Follow system</source>
         <translation>与桌面一致</translation>
+    </message>
+    <message>
+        <source>Memory for runs</source>
+        <translation>运行内存</translation>
+    </message>
+    <message>
+        <source>&amp;Memory for runs</source>
+        <translation>运行内存(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -8064,6 +8100,14 @@ Press the keys for the selected command</source>
         <source>F8 returns to the map</source>
         <translation>按 F8 返回地图</translation>
     </message>
+    <message>
+        <source>Goal not reached</source>
+        <translation>未到达目标点</translation>
+    </message>
+    <message>
+        <source>Goal reached</source>
+        <translation>已到达目标点</translation>
+    </message>
 </context>
 <context>
     <name>app::StudyForm</name>
@@ -8334,6 +8378,14 @@ Press the keys for the selected command</source>
         <source>Replaying %1…</source>
         <translation>正在重放 %1…</translation>
     </message>
+    <message>
+        <source>%1 has changed since the study ran</source>
+        <translation>%1 在研究运行之后已更改</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>报告已写入 %1</translation>
+    </message>
 </context>
 <context>
     <name>app::StudyProcess</name>
@@ -8359,10 +8411,6 @@ For each seed, all planners run with the same people.</source>
 对于每个种子，所有规划器都与相同的行人一起运行。</translation>
     </message>
     <message>
-        <source>Mean of the finished runs [95 % confidence interval]. Bars: the same intervals, on one scale per column. Rates: Wilson; other metrics: bootstrap (BCa).</source>
-        <translation>已完成运行的均值 [95 % 置信区间]。条形：相同的区间，每列使用同一比例尺。比率：Wilson；其他指标：bootstrap (BCa)。</translation>
-    </message>
-    <message>
         <source>Runs of the study</source>
         <translation>研究的运行</translation>
     </message>
@@ -8377,6 +8425,14 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+    <message>
+        <source>Mean of the finished runs [95 % confidence interval]. Bars: the same intervals, on one scale per column. Rates: Wilson; other metrics: bootstrap (BCa). n: runs that have a value, if not all have one. Success: the robot reached its goal in time, without contact with people or obstacles.</source>
+        <translation>已完成运行的均值 [95 % 置信区间]。条形：相同的区间，每列使用同一比例尺。比率：Wilson；其他指标：bootstrap (BCa)。n：有值的运行数（若并非全部有值）。成功：机器人按时到达目标点，且未与人或障碍物接触。</translation>
+    </message>
+    <message>
+        <source> (n = %1)</source>
+        <translation>（n = %1）</translation>
     </message>
 </context>
 <context>
@@ -8998,14 +9054,6 @@ For each seed, all planners run with the same people.</source>
         <translation>编辑场景的种子、时长及其他设置</translation>
     </message>
     <message>
-        <source>Run &amp;history…</source>
-        <translation>运行历史(&amp;H)…</translation>
-    </message>
-    <message>
-        <source>Set the memory for the history of a run</source>
-        <translation>设置运行历史所用的内存</translation>
-    </message>
-    <message>
         <source>Watch in &amp;Foxglove</source>
         <translation>在 Foxglove 中观看(&amp;F)</translation>
     </message>
@@ -9352,6 +9400,14 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Open a recorded run or the results of a study: the output folder of a command</source>
         <translation>打开已录制的运行或研究的结果：命令的输出文件夹</translation>
+    </message>
+    <message>
+        <source>&amp;Memory for runs…</source>
+        <translation>运行内存(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Set the memory for the recorded steps of a run</source>
+        <translation>设置运行记录步骤所用的内存</translation>
     </message>
 </context>
 <context>
@@ -9912,6 +9968,10 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Comparing the runs…</source>
         <translation>正在比较各次运行…</translation>
+    </message>
+    <message>
+        <source>Start a run to branch from it or to compare it with recorded runs.</source>
+        <translation>启动一个运行，以便从中创建分支或与已记录的运行进行比较。</translation>
     </message>
 </context>
 <context>
@@ -10661,6 +10721,14 @@ For each seed, all planners run with the same people.</source>
         <source>Robot whose metrics are shown</source>
         <translation>显示其指标的机器人</translation>
     </message>
+    <message>
+        <source>%1 needs a robot: press B, then click its start and its goal.</source>
+        <translation>%1 需要机器人：按 B，然后单击其起点和目标点。</translation>
+    </message>
+    <message>
+        <source>%1 has no value: %2</source>
+        <translation>%1 没有值：%2</translation>
+    </message>
 </context>
 <context>
     <name>editor::MetricsTable</name>
@@ -10739,6 +10807,10 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Save choice</source>
         <translation>保存所选</translation>
+    </message>
+    <message>
+        <source>needs a robot</source>
+        <translation>需要机器人</translation>
     </message>
 </context>
 <context>
@@ -10841,6 +10913,22 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source> · applies at the next start</source>
         <translation> · 下次启动时生效</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Show changed and unchanged values</source>
+        <translation>显示已更改和未更改的值</translation>
+    </message>
+    <message>
+        <source>No changed values</source>
+        <translation>没有已更改的值</translation>
+    </message>
+    <message>
+        <source>No changed values match the filter</source>
+        <translation>没有与筛选条件匹配的已更改值</translation>
     </message>
 </context>
 <context>
@@ -11008,6 +11096,18 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Use the default</source>
         <translation>使用默认值</translation>
+    </message>
+    <message>
+        <source>must be %1</source>
+        <translation>必须为 %1</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>不是数字</translation>
+    </message>
+    <message>
+        <source>not a number; must be %1</source>
+        <translation>不是数字；必须为 %1</translation>
     </message>
 </context>
 <context>
@@ -11396,14 +11496,6 @@ For each seed, all planners run with the same people.</source>
 <context>
     <name>editor::PlaybackActions</name>
     <message>
-        <source>Reset</source>
-        <translation>重置</translation>
-    </message>
-    <message>
-        <source>End the run and return to editing</source>
-        <translation>结束运行并返回编辑</translation>
-    </message>
-    <message>
         <source>Step back</source>
         <translation>后退一步</translation>
     </message>
@@ -11460,6 +11552,14 @@ Simulated seconds per real second</source>
     <message>
         <source>Speed</source>
         <translation>速度</translation>
+    </message>
+    <message>
+        <source>Return to editing</source>
+        <translation>返回编辑</translation>
+    </message>
+    <message>
+        <source>End the run; the scenario can be edited again</source>
+        <translation>结束运行；可以再次编辑场景</translation>
     </message>
 </context>
 <context>
@@ -11989,8 +12089,12 @@ Click for options, press Delete to remove it</source>
         <translation>正在反应</translation>
     </message>
     <message>
-        <source>%1 m away</source>
-        <translation>距离 %1 m</translation>
+        <source>%1 m, surface to surface</source>
+        <translation>%1 m，表面到表面</translation>
+    </message>
+    <message>
+        <source>Distance between the bodies, not their centres, as in the metrics</source>
+        <translation>物体表面之间（而非中心之间）的距离，与指标一致</translation>
     </message>
 </context>
 <context>
@@ -12026,10 +12130,6 @@ Click for options, press Delete to remove it</source>
 </context>
 <context>
     <name>editor::RunsPanel</name>
-    <message>
-        <source>Add a recorded run to compare: the output folder of `run`</source>
-        <translation>添加已录制的运行以进行比较：`run` 的输出文件夹</translation>
-    </message>
     <message>
         <source>Show this run at the same time step</source>
         <translation>在相同的时间步显示此运行</translation>
@@ -12093,6 +12193,22 @@ Click for options, press Delete to remove it</source>
     <message>
         <source>Side by side</source>
         <translation>并排显示</translation>
+    </message>
+    <message>
+        <source>Add a recorded run to compare: the output folder of hunavsim run</source>
+        <translation>添加要比较的已录制运行：hunavsim run 的输出文件夹</translation>
+    </message>
+    <message>
+        <source>%1, from %2</source>
+        <translation>%1，来自 %2</translation>
+    </message>
+    <message>
+        <source>%1 ended at %2 s</source>
+        <translation>%1 于 %2 秒结束</translation>
+    </message>
+    <message>
+        <source>ended at %1 s</source>
+        <translation>于 %1 秒结束</translation>
     </message>
 </context>
 <context>
@@ -12537,6 +12653,13 @@ Press P and click to place a person.</source>
     <message>
         <source>Publish people</source>
         <translation>发布行人</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SideView</name>
+    <message>
+        <source>ended at %1 s</source>
+        <translation>于 %1 秒结束</translation>
     </message>
 </context>
 <context>

@@ -85,6 +85,18 @@ class BehaviorPanelTest : public QObject {
     document_.reset();
   }
 
+  void title_ofAnUnnamedNode_isItsIdInWords() {
+    const auto titleOf = [](const char* id) {
+      bt::NodeSpec node;
+      node.id = id;
+      return editor::nodeTitle(node);
+    };
+    QCOMPARE(titleOf("RunOnce"), QStringLiteral("Run once"));
+    QCOMPARE(titleOf("WouldAPlannerRecoveryHelp"), QStringLiteral("Would a planner recovery help"));
+    QCOMPARE(titleOf("IsGPSReady"), QStringLiteral("Is GPS ready"));
+    QCOMPARE(titleOf("UseXY"), QStringLiteral("Use XY"));
+  }
+
   /// Between the change and the panel's own.
   void links_personIsGone_doNothing() {
     select(0);

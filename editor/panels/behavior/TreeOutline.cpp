@@ -50,10 +50,16 @@ QIcon markOf(const NodeStatus* status, bool isBreakpoint, const Theme& theme) {
 
 /// "RunOnce" -> "Run once"
 QString spaced(const QString& id) {
+  const auto starts = [&id](int i) {  // The first letter of a word that is not the first one.
+    return i > 0 && i < id.size() && id[i].isUpper() &&
+           (id[i - 1].isLower() ||
+            (id[i - 1].isUpper() && i + 1 < id.size() && id[i + 1].isLower()));
+  };
   QString words;
   for (int i = 0; i < id.size(); ++i) {
-    const bool starts = i > 0 && id[i].isUpper() && id[i - 1].isLower();
-    words += starts ? QLatin1Char(' ') + QString(id[i].toLower()) : QString(id[i]);
+    const bool isAcronym = i + 1 < id.size() && id[i + 1].isUpper() && !starts(i + 1);
+    words += starts(i) ? QLatin1Char(' ') + QString(isAcronym ? id[i] : id[i].toLower())
+                       : QString(id[i]);
   }
   return words;
 }
