@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "metrics/TermStatistics.h"
 #include "metrics/VoronoiCells.h"
@@ -95,8 +96,9 @@ double polarisation(const Sample& sample) {
   return count > 0.0 ? lengthOf(sum) / count : kNaN;
 }
 
-/// The axis along which most people walk, in either direction.
-Vec2 mainAxis(const Sample& sample) {
+/// The axis along which most people walk, in either direction. None: no direction stands out, apart
+/// from rounding.
+std::optional<Vec2> mainAxis(const Sample& sample) {
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
@@ -105,8 +107,12 @@ Vec2 mainAxis(const Sample& sample) {
     xy += person.velocity.x() * person.velocity.y();
     yy += person.velocity.y() * person.velocity.y();
   }
+  constexpr double kRounding = 1e-9;
+  if (std::max(std::fabs(2.0 * xy), std::fabs(xx - yy)) <= kRounding * (xx + yy)) {
+    return std::nullopt;
+  }
   const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-  return {std::cos(angle), std::sin(angle)};
+  return Vec2(std::cos(angle), std::sin(angle));
 }
 
 struct Walker {
@@ -114,13 +120,16 @@ struct Walker {
   bool forward = true;
 };
 
-/// Walking people, sorted across the main axis.
+/// Walking people, sorted across the main axis; none without such an axis.
 std::vector<Walker> walkersOf(const Sample& sample) {
-  const Vec2 axis = mainAxis(sample);
+  const std::optional<Vec2> axis = mainAxis(sample);
   std::vector<Walker> walkers;
+  if (!axis) {
+    return walkers;
+  }
   for (const Pedestrian& person : sample.people) {
     if (person.speed > kWalkingSpeed) {
-      walkers.push_back({base::cross(axis, person.position), axis.dot(person.velocity) > 0.0});
+      walkers.push_back({base::cross(*axis, person.position), axis->dot(person.velocity) > 0.0});
     }
   }
   std::sort(walkers.begin(), walkers.end(),
@@ -198,9 +207,9 @@ class CrowdMeasurements : public Accumulator {
   std::array<SeriesColumn, kMeasures> series_;
 };
 
-MetricComputation meanOf(std::size_t measure) {
+MetricComputation meanOf(std::size_t measure, const char* why = kNoPeople) {
   return metricOf<CrowdMeasurements>(
-      [measure](const CrowdMeasurements& looks) { return looks.mean(measure); }, kNoPeople);
+      [measure](const CrowdMeasurements& looks) { return looks.mean(measure); }, why);
 }
 
 constexpr char kCrowdMetrics[] = R"(
@@ -217,9 +226,10 @@ crowd_specific_flow|Specific flow of the crowd|1/(m s)|[0, inf)|mean over crowd 
 = Social Behavior|neutral|people|Vicsek et al. 1995
 crowd_polarisation|Crowd polarisation||[0, 1]|mean over crowd samples at which people walk (|u| > 0.05 m/s) of |mean of u/|u|| of those who walk
 = Social Behavior|neutral|people|Rex and Loewen 2007
-crowd_lane_order|Crowd lane order||[0, 1]|mean over crowd samples at which people walk of the mean over those who walk of ((same - opposite)/(same +
-  opposite))^2, over those who walk with |n q_b - n q_a| <= lane_width, a included; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2 -
-  u_y^2))/2 over all people at that crowd sample, n = m turned left; opposite: the sign of m u > 0 differs
+crowd_lane_order|Crowd lane order||[0, 1]|mean over crowd samples at which people walk and that have a main axis of the mean over those who walk of ((same -
+  opposite)/(same + opposite))^2, over those who walk with |n q_b - n q_a| <= lane_width, a included; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2 -
+  u_y^2))/2 over all people at that crowd sample, none if both sums are at most 1e-9 sum |u|^2 in magnitude, n = m turned left; opposite: the sign of
+  m u > 0 differs
 )";
 
 }  // namespace
@@ -231,8 +241,8 @@ void addCrowd(MetricRegistry& to) {
           {"crowd_voronoi_density_max",
            metricOf<CrowdMeasurements>(&CrowdMeasurements::largestVoronoiDensity, kNoPeople)},
           {"crowd_specific_flow", meanOf(kSpecificFlow)},
-          {"crowd_polarisation", meanOf(kPolarisation)},
-          {"crowd_lane_order", meanOf(kLaneOrder)}});
+          {"crowd_polarisation", meanOf(kPolarisation, "no person walks at a crowd sample")},
+          {"crowd_lane_order", meanOf(kLaneOrder, "no person walks along a main axis")}});
 }
 
 }  // namespace metrics

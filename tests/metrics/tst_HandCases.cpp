@@ -459,6 +459,25 @@ class HandCasesTest : public QObject {
     QCOMPARE(valueOf(recording, "crowd_lane_order"), 0.0);
   }
 
+  /// Four people who walk away from each other at right angles: the sums of the main axis are 0, or
+  /// of the size of rounding errors.
+  void crowd_withoutMainAxis_hasNoLaneOrder() {
+    for (const double turn : {0.0, 0.3}) {
+      Sample sample;
+      for (int k = 0; k < 4; ++k) {
+        const double direction = turn + 0.5 * base::kPi * k;
+        Pedestrian person = personAt(k, std::cos(direction), std::sin(direction), 1.0);
+        person.velocity = {std::cos(direction), std::sin(direction)};
+        sample.people.push_back(person);
+      }
+      SampledRun recording;
+      recording.samples = {sample};
+      QVERIFY(std::isnan(valueOf(recording, "crowd_lane_order")));
+      recording.samples[0].people.pop_back();  // now most walk along one axis
+      QVERIFY(!std::isnan(valueOf(recording, "crowd_lane_order")));
+    }
+  }
+
   void line_crossings_countedWithinTheEnds() {
     SampledRun recording;
     for (int k = 0; k < 5; ++k) {
