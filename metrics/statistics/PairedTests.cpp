@@ -278,6 +278,12 @@ std::pair<double, double> quantilesOf(const Power& power) {
   return {normalQuantile(1.0 - power.level / 2.0), normalQuantile(power.power)};
 }
 
+/// The fewest pairs with which an exact test of signs or signed ranks can reach the level:
+/// 2 / 2^n < level.
+double fewestPairs(const Power& power) {
+  return std::floor(1.0 - std::log2(power.level)) + 1.0;
+}
+
 }  // namespace
 
 double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power) {
@@ -289,8 +295,7 @@ double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power) 
   const auto [z, zPower] = quantilesOf(power);
   const double spread = std::max(0.0, discordant - difference * difference);
   const double sum = z * std::sqrt(discordant) + zPower * std::sqrt(spread);
-  const double fewest = std::floor(1.0 - std::log2(power.level)) + 1.0;  // 2 / 2^n < level
-  return std::max(fewest, std::ceil(sum * sum / (difference * difference)));
+  return std::max(fewestPairs(power), std::ceil(sum * sum / (difference * difference)));
 }
 
 double detectableRateDifference(double discordant, double pairs, const Power& power) {
@@ -318,7 +323,9 @@ double detectableRateDifference(double discordant, double pairs, const Power& po
 double detectableShift(double deviation, double pairs, const Power& power) {
   constexpr double kPi = 3.14159265358979323846;
   const auto [z, zPower] = quantilesOf(power);
-  return pairs >= 2.0 ? (z + zPower) * deviation * std::sqrt(kPi / (3.0 * pairs)) : kUndefined;
+  return pairs >= fewestPairs(power) && deviation > 0.0
+             ? (z + zPower) * deviation * std::sqrt(kPi / (3.0 * pairs))
+             : kUndefined;
 }
 
 double pairsForSignedRank(double chancePositive, const Power& power) {
@@ -327,7 +334,9 @@ double pairsForSignedRank(double chancePositive, const Power& power) {
   }
   const auto [z, zPower] = quantilesOf(power);
   const double distance = chancePositive - 0.5;
-  return std::ceil((z + zPower) * (z + zPower) / (3.0 * distance * distance));
+  const double spread = 4.0 * chancePositive * (1.0 - chancePositive);
+  const double sum = z + zPower * std::sqrt(spread);
+  return std::max(fewestPairs(power), std::ceil(sum * sum / (3.0 * distance * distance)));
 }
 
 double chanceOfPositiveSum(Numbers differences) {

@@ -58,9 +58,11 @@ struct Power {
 /// for 5 %. Equal or undefined shares: NaN.
 double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power = {});
 
-/// Pairs required for the signed-rank test: (z + z')² / (3 (p' - 1/2)²), rounded up (Noether 1987,
-/// JASA 82, equation 8), p' the probability that the sum of two differences is positive. p' = 1/2
-/// or undefined: NaN.
+/// Pairs required for the signed-rank test: (z + z' √(4 p' (1 - p')))² / (3 (p' - 1/2)²), rounded
+/// up, p' the probability that the sum of two differences is positive. This is the formula of
+/// Noether (1987, JASA 82, equation 8) with a variance that vanishes if p' is 0 or 1, where his
+/// cannot give fewer than 11 pairs; at least the number with which the exact test can reach the
+/// level, 6 for 5 %. p' = 1/2 or undefined: NaN.
 double pairsForSignedRank(double chancePositive, const Power& power = {});
 /// The smallest difference of rates that McNemar's test finds with the power: the δ for which
 /// pairsForMcNemar() is at most the number of pairs, for this share of pairs that differ, or δ if
@@ -68,7 +70,9 @@ double pairsForSignedRank(double chancePositive, const Power& power = {});
 double detectableRateDifference(double discordant, double pairs, const Power& power = {});
 /// The smallest shift that the signed-rank test finds with the power, if differences are normal
 /// with this standard deviation: (z + z') σ √(π / (3 n)). That is the shift of the t test divided
-/// by the root of the relative efficiency 3 / π (Lehmann 1975, Nonparametrics, 4.3). n < 2: NaN.
+/// by the root of the relative efficiency 3 / π (Lehmann 1975, Nonparametrics, 4.3). Too few pairs
+/// for the exact test to reach the level, or a deviation of 0, which says nothing about the spread:
+/// NaN.
 double detectableShift(double deviation, double pairs, const Power& power = {});
 
 /// Estimate of p': share of pairs of differences with a positive sum, ties count half. n < 2: NaN.

@@ -251,8 +251,6 @@ class SummaryTest : public QObject {
     QVERIFY(std::isnan(pairsForMcNemar(kUndefined, 0.2)));
   }
 
-  /// By hand: (1.95996 + 0.84162)² / (3 * 0.2²) = 7.8489 / 0.12 = 65.4; power 90 %:
-  /// (1.95996 + 1.28155)² / 0.12 = 87.6.
   /// Solved for δ with Python, by bisection of Connor's formula.
   void detectableRateDifference_otherProgram_isEqual() {
     VERIFY_NEAR(detectableRateDifference(0.2, 100), 0.123819331484, 1e-8);
@@ -266,7 +264,8 @@ class SummaryTest : public QObject {
   /// Of normal differences with this shift, the test finds 80 %: 1000 samples, ± 4 %.
   void detectableShift_simulatedTests_findItWithThePower() {
     VERIFY_NEAR(detectableShift(1.0, 100), 0.28669369782831, 1e-12);
-    QVERIFY(std::isnan(detectableShift(1.0, 1)));
+    QVERIFY(std::isnan(detectableShift(1.0, 5)));  // the exact test cannot reach 5 %
+    QVERIFY(std::isnan(detectableShift(0.0, 100)));
     constexpr int kPairs = 40;
     const double shift = detectableShift(2.0, kPairs);
     int found = 0;
@@ -281,12 +280,24 @@ class SummaryTest : public QObject {
     QVERIFY2(found >= 760 && found <= 840, qPrintable(QString::number(found)));
   }
 
+  /// By hand: (1.95996 + 0.84162 √0.84)² / (3 * 0.2²) = 7.4601 / 0.12 = 62.2; power 90 %:
+  /// (1.95996 + 1.28155 √0.84)² / 0.12 = 81.9.
   void pairsForSignedRank_byHand_isEqual() {
-    QCOMPARE(pairsForSignedRank(0.7), 66.0);
-    QCOMPARE(pairsForSignedRank(0.3), 66.0);
-    QCOMPARE(pairsForSignedRank(0.7, {0.05, 0.9}), 88.0);
+    QCOMPARE(pairsForSignedRank(0.7), 63.0);
+    QCOMPARE(pairsForSignedRank(0.3), 63.0);
+    QCOMPARE(pairsForSignedRank(0.7, {0.05, 0.9}), 82.0);
     QVERIFY(std::isnan(pairsForSignedRank(0.5)));
     QVERIFY(std::isnan(pairsForSignedRank(kUndefined)));
+  }
+
+  /// If all differences have one sign, the exact test has p = 2 / 2^n: 0.0625 for 5 pairs, 0.03125
+  /// for 6.
+  void pairsForSignedRank_oneSign_areThoseOfTheExactTest() {
+    QCOMPARE(pairsForSignedRank(1.0), 6.0);
+    QCOMPARE(pairsForSignedRank(0.0), 6.0);
+    QCOMPARE(pairsForSignedRank(1.0, {0.01, 0.8}), 9.0);  // (2.57583)² / 0.75 = 8.8
+    VERIFY_NEAR(stratifiedSignedRank({{1, 2, 3, 4, 5}}).p, 0.0625, 1e-12);
+    VERIFY_NEAR(stratifiedSignedRank({{1, 2, 3, 4, 5, 6}}).p, 0.03125, 1e-12);
   }
 
   /// By hand: of 3 + -1, 3 + -3, -1 + -3 one is positive, one is zero.
