@@ -332,6 +332,18 @@ std::string tableMarkdown(const Table& table) {
   return text;
 }
 
+namespace {
+
+/// A missing value, shown as a dash, is an empty field, as in the other CSV files.
+std::string fieldOf(const Table::Cell& cell) {
+  if (!cell.csv.empty()) {
+    return cell.csv;
+  }
+  return cell.text == "–" ? std::string() : withAsciiMinus(cell.text);
+}
+
+}  // namespace
+
 std::string tableCsv(const Table& table) {
   std::vector<bool> hasBelow(table.columns.size(), false);
   std::vector<bool> hasNote(table.columns.size(), false);
@@ -360,8 +372,7 @@ std::string tableCsv(const Table& table) {
   for (const std::vector<Table::Cell>& row : table.rows) {
     rows.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) {
-      add(k, row[k].csv.empty() ? withAsciiMinus(row[k].text) : row[k].csv,
-          withAsciiMinus(row[k].below), row[k].note);
+      add(k, fieldOf(row[k]), withAsciiMinus(row[k].below), row[k].note);
     }
   }
   return csvText(rows);

@@ -74,8 +74,8 @@ std::string tableHtml(const Table& table, const std::string& htmlClass = {});
 std::string tableLatex(const Table& table);  // booktabs
 /// A GitHub table: the caption in bold, then the rows; numbers are right-aligned.
 std::string tableMarkdown(const Table& table);
-std::string tableCsv(
-    const Table& table);  // ASCII minus, no marks; intervals and notes in separate columns
+/// ASCII minus, no marks; intervals and notes in separate columns; a missing value, "–", is empty.
+std::string tableCsv(const Table& table);
 
 /// Formats rows of plain fields as CSV.
 std::string csvText(const std::vector<std::vector<std::string>>& rows);

@@ -160,6 +160,24 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
     QVERIFY(row(0).text().contains(QStringLiteral("tops")));
   }
 
+  /// No name contains the words; explanations of panels do.
+  void palette_wordsOfExplanations_findTheirCommands() {
+    openPalette();
+    const auto isFound = [this](const char* typed, const char* name) {
+      palette().search().clear();
+      QTest::keyClicks(&palette().search(), QString::fromLatin1(typed));
+      for (int i = 0; i < palette().list().count(); ++i) {
+        if (row(i).text() == QLatin1String(name)) {
+          return true;
+        }
+      }
+      return false;
+    };
+    QVERIFY(isFound("planners seeds", "Study"));
+    QVERIFY(isFound("recorded compare", "Runs"));
+    palette().search().clear();
+  }
+
   void palette_cursorKeys_moveInTheList() {
     openPalette();
     QTest::keyClick(&palette().search(), Qt::Key_Down);

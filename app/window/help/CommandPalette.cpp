@@ -72,12 +72,10 @@ QString whyDisabled(const QAction& action) {
   return known.isEmpty() ? CommandPalette::tr("Not available at the moment") : known;
 }
 
-/// Whether the menus and the name contain each word of the text.
-bool containsWords(const Command& command, const QString& typed) {
-  const QString all = command.path + QLatin1Char(' ') + command.name;
+bool containsWords(const QString& text, const QString& typed) {
   const QStringList words = typed.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  return std::all_of(words.begin(), words.end(), [&all](const QString& word) {
-    return all.contains(word, Qt::CaseInsensitive);
+  return std::all_of(words.begin(), words.end(), [&text](const QString& word) {
+    return text.contains(word, Qt::CaseInsensitive);
   });
 }
 
@@ -92,7 +90,41 @@ std::optional<int> pointsOf(const Command& command, const QString& typed) {
   if (const std::optional<int> points = fuzzyScore(typed, command.name)) {
     return *points + kName;
   }
-  return containsWords(command, typed) ? std::optional<int>(0) : std::nullopt;
+  const QString menus = command.path + QLatin1Char(' ') + command.name;
+  return containsWords(menus, typed) ? std::optional<int>(0) : std::nullopt;
+}
+
+/// By the explanation of the command; for a text that no name matches.
+std::optional<int> pointsOfExplanation(const Command& command, const QString& typed) {
+  static const QRegularExpression kTag(QStringLiteral("<[^>]*>"));
+  const QString text = command.action->whatsThis().replace(kTag, QStringLiteral(" "));
+  return containsWords(text, typed) ? std::optional<int>(0) : std::nullopt;
+}
+
+struct CommandMatch {
+  int points = 0;
+  bool isAvailable = false;
+  std::size_t index = 0;
+};
+
+/// Available commands first, best match first; equal ones in menu order.
+std::vector<CommandMatch> matchesOf(
+    const std::vector<Command>& commands,
+    const std::function<std::optional<int>(const Command& command)>& pointsOfCommand) {
+  std::vector<CommandMatch> matches;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (commands[i].action == nullptr) {
+      continue;  // removed since the palette was opened
+    }
+    if (const std::optional<int> points = pointsOfCommand(commands[i])) {
+      matches.push_back({*points, commands[i].action->isEnabled(), i});
+    }
+  }
+  std::stable_sort(matches.begin(), matches.end(),
+                   [](const CommandMatch& a, const CommandMatch& b) {
+                     return a.isAvailable != b.isAvailable ? a.isAvailable : a.points > b.points;
+                   });
+  return matches;
 }
 
 }  // namespace
@@ -159,35 +191,23 @@ void CommandPalette::addRow(std::size_t index) {
   row->setToolTip(command.action->statusTip());
 }
 
-/// Available commands first, best match first; equal ones in menu order.
 void CommandPalette::fill() {
-  struct Match {
-    int points = 0;
-    bool isAvailable = false;
-    std::size_t index = 0;
-  };
-  std::vector<Match> matches;
   const QString typed = search_->text();
-  for (std::size_t i = 0; i < commands_.size(); ++i) {
-    const Command& command = commands_[i];
-    if (command.action == nullptr) {
-      continue;  // removed since the palette was opened
-    }
+  std::vector<CommandMatch> matches = matchesOf(commands_, [&](const Command& command) {
     std::optional<int> points = pointsOf(command, typed);
-    if (!points) {
-      continue;
-    }
     const int before = used_.indexOf(command.action);
-    if (typed.isEmpty() && before >= 0 && before < kUsedFirst) {
+    if (points && typed.isEmpty() && before >= 0 && before < kUsedFirst) {
       *points += kUsedFirst - before;
     }
-    matches.push_back({*points, command.action->isEnabled(), i});
-  }
-  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
-    return a.isAvailable != b.isAvailable ? a.isAvailable : a.points > b.points;
+    return points;
   });
+  if (matches.empty()) {
+    matches = matchesOf(commands_, [&typed](const Command& command) {
+      return pointsOfExplanation(command, typed);
+    });
+  }
   list_->clear();
-  for (const Match& match : matches) {
+  for (const CommandMatch& match : matches) {
     addRow(match.index);
   }
   list_->setCurrentRow(0);

@@ -194,19 +194,22 @@ QString withManualLink(const QString& explanation, const QString& page) {
 }
 
 void explainWindow(QMainWindow& window, Workspace& workspace) {
+  QHash<QString, QString> panels;  // by title, as in the menu that shows and hides them
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    const QString text = textIn(kPanelTexts, dock->objectName());
+    panels.insert(dock->windowTitle(), text);
+    dock->setWhatsThis(text.isEmpty() ? QString() : richText(dock->windowTitle(), {}, text));
+  }
   for (const Command& command : commandsOf(*window.menuBar())) {
-    command.action->setWhatsThis(
-        richText(command.name, commandKeys(*command.action), command.action->statusTip()));
+    const QString text = panels.value(command.name);
+    command.action->setWhatsThis(richText(command.name, commandKeys(*command.action),
+                                          text.isEmpty() ? command.action->statusTip() : text));
   }
   for (const editor::ToolManager::Entry& tool : workspace.tools().entries()) {
     const QString text = textIn(kToolTexts, tool.info.icon);
     tool.action->setWhatsThis(richText(tool.info.name,
                                        tool.info.shortcut.toString(QKeySequence::NativeText),
                                        text.isEmpty() ? tool.action->statusTip() : text));
-  }
-  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
-    const QString text = textIn(kPanelTexts, dock->objectName());
-    dock->setWhatsThis(text.isEmpty() ? QString() : richText(dock->windowTitle(), {}, text));
   }
   workspace.view().setWhatsThis(richText(
       QCoreApplication::translate("WhatsThis", "Map"), {},
