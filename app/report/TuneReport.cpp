@@ -103,7 +103,11 @@ PageParts tuneParts(const app::TuneOptions& options, const app::TuneSubject& sub
     parts.add(tuneEvaluationTable(options, result));
     parts.add(tuneScenarioTable(options, result));
     parts.section("changes", "Changes");
-    parts.body += element("pre", "", escaped(report.diff)) + "\n";
+    parts.body +=
+        (report.diff.empty()
+             ? element("p", "", "None: the evaluated values below are not an improvement.")
+             : element("pre", "", escaped(report.diff))) +
+        "\n";
     parts.add(tuneEffectsTable(options, subject, result));
   }
   parts.section("front", "Front");
@@ -249,8 +253,8 @@ TuneReport makeTuneReport(const app::TuneOptions& options, const app::TuneSubjec
   const std::string name = std::filesystem::path(subject.path()).filename().string();
   const std::string chosen =
       result.chosen ? subject.textWith(*result.chosen).value_or(subject.text()) : subject.text();
-  report.diff = app::unifiedDiff(subject.text(), chosen, name, context.outputName);
   report.tuned = result.verdict == TuneVerdict::Improved ? chosen : subject.text();
+  report.diff = app::unifiedDiff(subject.text(), report.tuned, name, context.outputName);
   const PageParts parts = tuneParts(options, subject, result, report, context);
   report.html = parts.page("Tuning of " + name, subject.controller(),
                            verdictNotes(report.headline, tuneRemarks(result)));

@@ -285,11 +285,15 @@ QString IssuesPanel::noIssuesText() const {
     return tr("No issues. A recorded run is shown.");
   }
   const sim2d::Scenario& scenario = document_.scenario();
-  return scenario.humans.empty()
-             ? tr("No issues. Press P and click on the map to place a person.")
-             : tr("No issues: %1, %2.")
-                   .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
-                        counted(scenario.goals.size(), tr("goal"), tr("goals")));
+  if (scenario.humans.empty()) {
+    return tr("No issues. Press P and click on the map to place a person.");
+  }
+  QStringList counts{counted(scenario.humans.size(), tr("person"), tr("people")),
+                     counted(scenario.goals.size(), tr("goal"), tr("goals"))};
+  if (!scenario.robots.empty()) {
+    counts << counted(scenario.robots.size(), tr("robot"), tr("robots"));
+  }
+  return tr("No issues: %1.").arg(counts.join(QStringLiteral(", ")));
 }
 
 void IssuesPanel::rebuild() {

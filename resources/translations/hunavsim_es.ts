@@ -10543,10 +10543,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Sin problemas. Pulse P y haga clic en el mapa para colocar una persona.</translation>
     </message>
     <message>
-        <source>No issues: %1, %2.</source>
-        <translation>Sin problemas: %1, %2.</translation>
-    </message>
-    <message>
         <source>person</source>
         <translation>persona</translation>
     </message>
@@ -10569,6 +10565,18 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>No issues. A recorded run is shown.</source>
         <translation>Sin problemas. Se muestra una ejecución grabada.</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>robots</source>
+        <translation>robots</translation>
+    </message>
+    <message>
+        <source>No issues: %1.</source>
+        <translation>Sin problemas: %1.</translation>
     </message>
 </context>
 <context>

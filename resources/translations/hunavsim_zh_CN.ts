@@ -10543,10 +10543,6 @@ For each seed, all planners run with the same people.</source>
         <translation>没有问题。按 P 并单击地图以放置行人。</translation>
     </message>
     <message>
-        <source>No issues: %1, %2.</source>
-        <translation>没有问题：%1，%2。</translation>
-    </message>
-    <message>
         <source>person</source>
         <translation>名行人</translation>
     </message>
@@ -10569,6 +10565,18 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>No issues. A recorded run is shown.</source>
         <translation>没有问题。正在显示录制的运行。</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>个机器人</translation>
+    </message>
+    <message>
+        <source>robots</source>
+        <translation>个机器人</translation>
+    </message>
+    <message>
+        <source>No issues: %1.</source>
+        <translation>没有问题：%1。</translation>
     </message>
 </context>
 <context>

@@ -173,8 +173,8 @@ void printSearch(const SearchStudy& study, const SearchOptions& options, const I
   printTable(rows);
   printLine(std::to_string(study.result.runs.size()) + " runs, " +
             std::to_string(study.failures.size()) +
-            (study.failures.size() == 1 ? " kind" : " kinds") + " of failures; " + options.output +
-            "/report.html");
+            (study.failures.size() == 1 ? " kind of failure; " : " kinds of failures; ") +
+            options.output + "/report.html");
 }
 
 /// Files that do not repeat their run, as errors.
