@@ -259,8 +259,6 @@ void FormSection::addRow(const QString& label, QWidget* field) {
   } else {
     alignment |= Qt::AlignLeft;  // Otherwise the column is no wider than this field.
   }
-  grid_->setColumnMinimumWidth(  // Also while the row is hidden, so that nothing moves.
-      0, std::max(grid_->columnMinimumWidth(0), words->sizeHint().width()));
   grid_->addWidget(words, row, 0);
   grid_->addWidget(field, row, 1, alignment);
 }

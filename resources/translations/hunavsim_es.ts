@@ -12098,7 +12098,7 @@ Clic para ver opciones, Supr lo quita</translation>
     </message>
     <message>
         <source>%1 m, surface to surface</source>
-        <translation>%1 m, de superficie a superficie</translation>
+        <translation>%1 m, entre bordes</translation>
     </message>
     <message>
         <source>Distance between the bodies, not their centres, as in the metrics</source>

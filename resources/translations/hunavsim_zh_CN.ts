@@ -8432,7 +8432,7 @@ For each seed, all planners run with the same people.</source>
     </message>
     <message>
         <source> (n = %1)</source>
-        <translation>（n = %1）</translation>
+        <translation> (n = %1)</translation>
     </message>
 </context>
 <context>

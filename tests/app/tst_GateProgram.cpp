@@ -113,7 +113,7 @@ class GateProgramTest : public QObject, InFolder {
     const QJsonObject json = jsonOf(path("one/gate/gate.json"));
     QCOMPARE(json[text("verdict")].toString(), text("pass"));
     const QJsonObject metric = json[text("metrics")].toArray()[0].toObject();
-    QCOMPARE(metric[text("pairs")].toInt(), 18);  // 0.3 1.25^n + … >= 20
+    QCOMPARE(metric[text("pairs")].toInt(), 16);  // 0.6 1.25^n + … >= 20
     const QJsonObject difference = metric[text("difference")].toObject();
     QCOMPARE(difference[text("mean")].toDouble(), 0.0);
     QVERIFY(difference[text("low")].toDouble() > -20.0);

@@ -274,7 +274,7 @@ class StudyClicksTest : public QObject, protected quiet::InFolder {
     QCOMPARE(first[3], second[3]);
     const auto* meaning = results.findChild<QLabel*>(text("study_brackets"));
     QVERIFY(meaning != nullptr && meaning->text().contains(text("95 % confidence interval")));
-    results.resize(900, 300);
+    results.resize(1500, 300);  // with all columns
     results.show();
     QVERIFY(QTest::qWaitForWindowExposed(&results));
     QVERIFY(meaning->isVisible());

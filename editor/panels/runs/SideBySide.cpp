@@ -92,6 +92,12 @@ void SideView::followCanvas() {
                                  ours.height() / std::max(1.0, theirs.height())});
   view_->setPixelsPerMetre(std::max(0.1, share) * canvas_.pixelsPerMetre());
   view_->centerOn(canvas_.sceneCentre());
+  // centerOn() truncates to whole pixels: to the nearest one.
+  const QPointF over = (canvas_.sceneCentre() - view_->sceneCentre()) * view_->pixelsPerMetre();
+  QScrollBar& across = *view_->horizontalScrollBar();
+  QScrollBar& down = *view_->verticalScrollBar();
+  across.setValue(across.value() + qRound(over.x()));
+  down.setValue(down.value() + qRound(over.y()));
 }
 
 void SideView::showAt(const std::shared_ptr<const sim2d::Recording>& recording, double time) {
