@@ -34,6 +34,8 @@ class Nav2Form : public QWidget {
  public:
   explicit Nav2Form(QWidget* parent = nullptr);
   ~Nav2Form() override;
+  Q_DISABLE_COPY_MOVE(Nav2Form)
+
   void setTheme(const Theme& theme);
   /// None: no robot with Nav2. `inRun`: the robot in the shown run, if there is one; values that
   /// differ from it are marked, because they apply at the next start.
