@@ -14,16 +14,18 @@ class MapView;
 class LegendStrip : public QWidget {
   Q_OBJECT
  public:
-  static constexpr int kCorners = 3;  // Top right, top left, bottom right.
+  static constexpr int kCorners = 3;  // 0: top right, 1: top left, 2: bottom right.
   explicit LegendStrip(MapView& view);
+  /// The contents; of a brief legend only the rows that have a sign, a name and a value.
   void setParts(std::vector<LegendPart> parts);
-  /// Only the signs and values of the rows, without their names.
+  /// Only the signs and values of the rows, without their names. Applies to the next contents.
   void setBrief(bool brief) { isBrief_ = brief; }
   bool isEmpty() const { return parts_.empty(); }
   void setCorner(int corner) { corner_ = corner; }
+  /// The place in a corner of `room` [px of the view].
   QRect boxAt(int corner, const QRect& room) const;
-  /// In its corner. It does not become narrower while it is visible, so that it does not move with
-  /// the digits of its values.
+  /// Moves it into its corner of `room`. It does not become narrower while it is visible, so that
+  /// it does not move with the digits of its values.
   void place(const QRect& room);
 
  protected:

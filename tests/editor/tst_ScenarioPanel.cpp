@@ -81,7 +81,7 @@ class ScenarioPanelTest : public QObject {
     QVERIFY(!nothing->isVisible() && panel_->tree().isVisible());
   }
 
-  void placeholder_isShownWithoutPeopleGoalsAndRobots() {
+  void emptyText_isShownWithoutPeopleGoalsAndRobots() {
     const auto* empty = widgets::findIf<QLabel>(*panel_, [](const QLabel* each) {
       return each->text().startsWith(QStringLiteral("Nothing on the map yet"));
     });

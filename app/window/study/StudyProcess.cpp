@@ -167,7 +167,7 @@ RestoredStudy restoredFrom(const ResultStore& store) {
   const base::Diagnostics unread = store.forEach(
       [&](const StoredRun& stored) { earlier.rows.push_back(rowOf(stored, earlier.paths)); });
   earlier.trouble = unread.empty() ? QString() : textOf(unread);
-  const std::vector<InputHash>& inputs = store.study().inputs;
+  const std::vector<InputHash>& inputs = store.study().inputs;  // the first is the experiment
   for (std::size_t k = 1; k < inputs.size() && earlier.changedInput.isEmpty(); ++k) {
     const std::optional<std::string> now = sha256OfFile(inputs[k].path);
     if (now && !inputs[k].sha256.empty() && *now != inputs[k].sha256) {

@@ -66,8 +66,8 @@ QWidget* StudyResults::makeComparison() {
   auto* meaning = editor::secondaryLabel(
       tr("Mean of the finished runs [95 % confidence interval]. Bars: the same intervals, on one "
          "scale per column. Rates: Wilson; other metrics: bootstrap (BCa). n: runs that have a "
-         "value, "
-         "if not all have one. Success: the robot reached its goal in time, without contact with "
+         "value, if not all have one. Success: the robot reached its goal in time, without contact "
+         "with "
          "people or obstacles."),
       page);
   meaning->setObjectName(QStringLiteral("study_brackets"));
