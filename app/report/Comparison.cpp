@@ -4,9 +4,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
+#include "app/run/SeedEffect.h"
 #include "metrics/statistics/PairedTests.h"
 #include "metrics/statistics/Ranks.h"
 #include "metrics/statistics/Summary.h"
@@ -282,6 +282,19 @@ void findBest(const Metric& metric, MetricComparison& comparison) {
   }
 }
 
+app::SeedEffect seedEffectOf(const Study& study) {
+  app::SeedEffect effect;
+  for (std::size_t run = 0; run < study.runCount(); ++run) {
+    Numbers values;
+    values.reserve(study.results.metrics.size());
+    for (const Numbers& each : study.results.metrics) {
+      values.push_back(each[run]);
+    }
+    effect.add(study.options[study.optionOf[run]] + ", " + study.cases[study.caseOf[run]], values);
+  }
+  return effect;
+}
+
 }  // namespace
 
 const PairResult* MetricComparison::pairOf(std::size_t a, std::size_t b) const {
@@ -331,36 +344,14 @@ std::vector<std::vector<std::size_t>> blocksOf(const Study& study) {
   return blocks;
 }
 
-std::size_t constantCells(const Study& study) {
-  struct Cell {
-    std::size_t first = 0;  // run index
-    int runs = 0;
-    bool isConstant = true;
-  };
-  std::map<std::pair<std::size_t, std::size_t>, Cell> cells;
-  for (std::size_t run = 0; run < study.runCount(); ++run) {
-    Cell& cell = cells[{study.optionOf[run], study.caseOf[run]}];
-    cell.first = cell.runs++ == 0 ? run : cell.first;
-    bool hasValue = false;
-    for (const Numbers& values : study.results.metrics) {
-      const bool isUndefined = std::isnan(values[run]);
-      hasValue = hasValue || !isUndefined;
-      const double first = values[cell.first];
-      cell.isConstant = cell.isConstant && (isUndefined ? std::isnan(first) : values[run] == first);
-    }
-    cell.isConstant = cell.isConstant && hasValue;
-  }
-  return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [](const auto& each) {
-    return each.second.runs > 1 && each.second.isConstant;
-  }));
+std::vector<std::string> constantCells(const Study& study) {
+  return seedEffectOf(study).constantCells();
 }
 
 bool isOneRunPerCell(const Study& study) {
-  std::set<std::pair<std::size_t, std::size_t>> cells;
-  for (std::size_t run = 0; run < study.runCount(); ++run) {
-    cells.emplace(study.optionOf[run], study.caseOf[run]);
-  }
-  return study.options.size() > 1 && !cells.empty() && constantCells(study) == cells.size();
+  const app::SeedEffect effect = seedEffectOf(study);
+  return study.options.size() > 1 && effect.cellCount() > 0 &&
+         effect.constantCells().size() == effect.cellCount();
 }
 
 MetricComparison compare(const Study& study, std::size_t metric,

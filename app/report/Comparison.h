@@ -88,9 +88,9 @@ std::vector<std::vector<std::size_t>> blocksOf(const Study& study);
 /// Per option: whether a run succeeds, or success is unknown for all runs.
 std::vector<bool> succeedingOptions(const Study& study);
 
-/// The number of combinations of option and case in which several seeds gave identical values of
-/// every metric (at least one defined): such runs are not independent.
-std::size_t constantCells(const Study& study);
+/// The combinations of option and case in which several seeds gave the same values of every metric
+/// (app/run/SeedEffect.h): such runs are not independent. "dwa, cafe".
+std::vector<std::string> constantCells(const Study& study);
 
 /// Whether this holds for all combinations of a study of several options: it has only one distinct
 /// run of each, and its tests are meaningless.

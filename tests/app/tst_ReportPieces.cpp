@@ -310,13 +310,21 @@ class ReportPiecesTest : public QObject {
     QVERIFY(!found.friedman);
   }
 
-  void constantCells_seedsThatChangeNothing_areCounted() {
+  void constantCells_seedsThatChangeNothing_areNamed() {
+    using Names = std::vector<std::string>;
     Study study = smallStudy();
-    QCOMPARE(constantCells(study), std::size_t{0});
+    QCOMPARE(constantCells(study), Names());
     study.results.metrics[0] = {1.0, 1.0, 1.0, 2.0, 3.0};  // of the first option all are equal
-    QCOMPARE(constantCells(study), std::size_t{1});
-    study.results.metrics[0][2] = std::numeric_limits<double>::quiet_NaN();
-    QCOMPARE(constantCells(study), std::size_t{0});
+    QCOMPARE(constantCells(study), Names({"a, hall"}));
+    study.results.metrics[0] = {1.0, 1.0009, 1.0, 2.0, 3.0};  // the limit is 0.1 %
+    QCOMPARE(constantCells(study), Names({"a, hall"}));
+    study.results.metrics[0][1] = 1.0011;
+    QCOMPARE(constantCells(study), Names());
+    study.results.metrics[0] = {1.0, 1.0, std::numeric_limits<double>::quiet_NaN(), 2.0, 3.0};
+    QCOMPARE(constantCells(study), Names());
+    study.results.metrics.push_back({4.0, 4.0, 5.0, 4.0, 4.0});  // every column must be constant
+    study.results.metrics[0][2] = 1.0;
+    QCOMPARE(constantCells(study), Names());
   }
 
   /// 0.3 - 0.2 and 0.2 - 0.1 are not the same double, and the same difference.

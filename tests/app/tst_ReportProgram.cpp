@@ -396,6 +396,34 @@ class ReportProgramTest : public QObject {
     QVERIFY(figures.contains(text("own.svg")));
   }
 
+  /// Runs that are the same for every seed are one run: `batch` and `report` say so.
+  void report_seedsAlike_areWarnedOf() {
+    const StudyFolder folder;
+    writeText(folder.path(text("yard.yaml")),
+              QByteArray(kYardText).replace("configuration: 2", "configuration: 0"));
+    const QString out = folder.path(text("out"));
+    const auto batchOf = [&](const QByteArray& more) {
+      const QString study =
+          folder.writeStudy("alike.yaml", "seeds: 3\nduration: 4.0\nvalues:\n" + more);
+      return runProgram(StudyFolder::words(study, out, {text("--force")}));
+    };
+    const QByteArray planners = "  robot1.planner: [pursuit, straight]\n";
+    const char* const warning =
+        "results.csv: warning: all seeds gave the same results, within 0.1 %, in 2 combinations of "
+        "scenario and values, the first is ";
+    const Finished alike = batchOf(planners);
+    QVERIFY2(alike.exitCode == 0 && alike.err.contains(text(warning)), qPrintable(alike.err));
+    QVERIFY2(alike.err.contains(text("'yard.yaml, robot1.planner=pursuit'")),
+             qPrintable(alike.err));
+    const Finished shown = report(out, {text("--no-pdf")});
+    QVERIFY2(shown.exitCode == 0 && shown.err.contains(text(warning)), qPrintable(shown.err));
+    const QStringList notes = textsOf(bytesOf(out + text("/report.html")), "p");
+    QVERIFY2(notes.filter(text("all seeds gave the same values, within 0.1 %")).size() == 1,
+             qPrintable(notes.join(text("|"))));
+    const Finished varied = batchOf(planners + "  \"*.max_vel\": {uniform: [0.8, 1.6]}\n");
+    QVERIFY2(!varied.err.contains(text("all seeds gave")), qPrintable(varied.err));
+  }
+
   void report_missingManifest_isAWarning() {
     const ResultsFolder folder;
     QVERIFY(QFile::remove(folder.filePath(text("manifest.json"))));

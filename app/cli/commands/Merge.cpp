@@ -3,14 +3,15 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/BatchFolder.h"
+#include "app/run/SeedEffect.h"
 
 namespace app {
 
 namespace {
 
 /// Reports how many runs failed and the reason of the first, also with --quiet, because it explains
-/// the exit code.
-base::Diagnostics failuresOf(const BatchFolder& folder) {
+/// the exit code; and runs that do not depend on the seed.
+base::Diagnostics problemsOf(const BatchFolder& folder) {
   const ResultStore& store = folder.store();
   base::Diagnostics diagnostics;
   if (const auto& first = store.firstFailure()) {
@@ -21,6 +22,10 @@ base::Diagnostics failuresOf(const BatchFolder& folder) {
   if (store.failedByMachine() > 0) {
     diagnostics.push_back(
         base::warning("batch.failed-by-machine", {store.failedByMachine()}, folder.resultsFile()));
+  }
+  if (const auto constant = seedEffectOf(store).constantCells(); !constant.empty()) {
+    diagnostics.push_back(base::warning("batch.seeds-alike", {constant.size(), constant.front()},
+                                        folder.resultsFile()));
   }
   return diagnostics;
 }
@@ -62,7 +67,7 @@ int reportBatch(const BatchFolder& folder, const base::Diagnostics& problems,
       printLine(std::to_string(enough) + " seeds were enough: " + store.study().until);
     }
   }
-  printDiagnostics(failuresOf(folder));
+  printDiagnostics(problemsOf(folder));
   if (!store.isComplete()) {
     printError("interrupted: finished runs are kept; continue with batch --resume");
   }

@@ -7,6 +7,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/ReportFiles.h"
 #include "app/cli/RunProgress.h"
+#include "app/report/Comparison.h"
 #include "app/run/Batch.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/ManifestFiles.h"
@@ -160,6 +161,14 @@ bool analyseContacts(const ReportOptions& options, bool quiet, report::Study& st
   return !wasInterrupted();
 }
 
+void warnOfConstantCells(const report::Study& study) {
+  const std::vector<std::string> constant = report::constantCells(study);
+  if (!constant.empty()) {
+    printDiagnostics({base::warning("batch.seeds-alike", {constant.size(), constant.front()},
+                                    pathIn(study.folder, "results.csv"))});
+  }
+}
+
 int reportCommand(const ReportOptions& options, const Invocation& given) {
   report::StudyOptions studyOptions = options.studyOptions;
   requireFine(parseReportOptions(options, studyOptions), ExitWrongCommandLine);
@@ -181,6 +190,7 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
       study->sensitivity ? sensitivityReport(*study, words)
                          : report::makeReport(*study, studyOptions.weights, words, onProgress);
   progress.clear();
+  warnOfConstantCells(*study);
   requireFine(report ? report->problems : report.diagnostics());
   const std::vector<base::FileContent> files = filesOf(*report, !options.noPdf);
   requireFine(writeReport(studyOptions.folder, files, options.force));
