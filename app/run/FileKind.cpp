@@ -1,6 +1,7 @@
 #include "app/run/FileKind.h"
 
-#include "bt/robot/Nav2Files.h"
+#include "bt/tree/TreeUse.h"
+#include "bt/tree/TreeXml.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
 
@@ -9,7 +10,9 @@ namespace app {
 FileKind fileKindOf(const std::string& text) {
   const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   if (first != std::string::npos && text[first] == '<') {
-    return bt::looksLikeNavigatorTree(text) ? FileKind::NavigatorTree : FileKind::Tree;
+    const base::Result<bt::TreeFile> tree = bt::readTreeText(text);
+    const bool isNavigator = tree && bt::treeUse(*tree) == bt::TreeUse::Navigator;
+    return isNavigator ? FileKind::NavigatorTree : FileKind::Tree;
   }
   if (base::hasKeyLine(text, "hunav_loader")) {
     return FileKind::Scenario;

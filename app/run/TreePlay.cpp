@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/run/FileKind.h"
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeLoader.h"
 #include "bt/robot/Nav2Files.h"
@@ -241,7 +242,7 @@ base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup)
     return problems;
   }
   const base::Result<std::string> text = base::readTextFile(setup.tree);
-  const bool isOfRobot = text && bt::looksLikeNavigatorTree(*text);
+  const bool isOfRobot = text && fileKindOf(*text) == FileKind::NavigatorTree;
   const bt::NodeLibrary library =
       isOfRobot ? bt::robotNodes().withLeafFunctions(scriptedLeaf<robotLeaves>())
                 : bt::humanNodes().withLeafFunctions(scriptedLeaf<agentLeaves>());

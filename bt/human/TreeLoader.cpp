@@ -10,6 +10,7 @@
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeGenerator.h"
 #include "bt/tree/NodeCatalogue.h"
+#include "bt/tree/TreeUse.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Variation.h"
@@ -247,7 +248,12 @@ const LoadedTree& TreeLoader::look(const std::string& text, const std::string& p
   LoadedTree& loaded = place->second;
   if (isNew) {
     loaded.path = path;
-    base::Result<TreeTable> table = loadAgentTrees(readTreeText(text, path));
+    base::Result<TreeFile> file = readTreeText(text, path);
+    if (const auto problem = file ? wrongTreeUse(*file, TreeUse::Person) : std::nullopt) {
+      loaded.found = {*problem};
+      return loaded;
+    }
+    base::Result<TreeTable> table = loadAgentTrees(std::move(file));
     loaded.found = table.diagnostics();
     if (table) {
       loaded.table = *std::move(table);

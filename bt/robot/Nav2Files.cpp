@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bt/robot/RobotNodes.h"
+#include "bt/tree/TreeUse.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
@@ -163,27 +164,19 @@ std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const TreePara
   return own;
 }
 
-bool looksLikeNavigatorTree(const std::string& xml) {
-  constexpr std::string_view kMarks[] = {"ComputePath", "FollowPath", "DriveOnHeading", "<Spin",
-                                         "<BackUp"};
-  std::string_view rest = xml;
-  while (!rest.empty()) {
-    const std::size_t comment = rest.find("<!--");
-    const std::string_view part = rest.substr(0, comment);
-    if (std::any_of(std::begin(kMarks), std::end(kMarks), [&](std::string_view mark) {
-          return part.find(mark) != std::string_view::npos;
-        })) {
-      return true;
-    }
-    const std::size_t end = comment == std::string_view::npos ? comment : rest.find("-->", comment);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end);
-  }
-  return false;
-}
-
 NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& parameters) {
   NavigatorTree tree;
-  const base::Result<TreeTable> table = loadTrees(file);
+  const base::Result<TreeFile> read = readTree(file);
+  if (!read) {
+    tree.problems = read.diagnostics();
+    return tree;
+  }
+  if (const auto problem = wrongTreeUse(*read, TreeUse::Navigator)) {
+    tree.problems = {*problem};
+    return tree;
+  }
+  const base::Result<TreeTable> table =
+      prependDiagnostics(read.diagnostics(), resolveIncludes(*read));
   for (const base::Diagnostic& problem : table.diagnostics()) {
     const bool isUsual = problem.code == "tree.no-format" || problem.code == "tree.converted";
     if (!isUsual) {  // Humble's trees have format 3

@@ -143,8 +143,6 @@ std::string nav2TreeOfParameter(const sim2d::nav2::Nav2Parameters& parameters,
 
 NavigatorTree loadNavigatorTree(const std::string& file,
                                 const sim2d::nav2::Nav2Parameters& parameters);
-/// Whether the text of a tree contains Nav2 nodes.
-bool looksLikeNavigatorTree(const std::string& xml);
 
 /// Merges parameter files and single values of Nav2.
 ///

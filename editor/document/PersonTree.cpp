@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "bt/human/TreeLoader.h"
+#include "bt/tree/TreeUse.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/CoreText.h"
@@ -137,6 +138,10 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   }
   result.file = *read;
   result.table = tableOf(document, result.file);
+  if (const auto problem = bt::wrongTreeUse(result.file, bt::TreeUse::Person)) {
+    result.problems = {*problem};
+    return result;
+  }
   result.isGeneratedWithBlocks = isGeneratedWithBlocks(document, *human, *own, result.file);
   base::append(result.problems, bt::diagnosticsOf(bt::checkTrees(result.table, treeCatalogue())));
   base::append(result.problems,
