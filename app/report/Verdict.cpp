@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 #include "app/report/Tables.h"
 #include "sim2d/base/Text.h"
@@ -73,10 +75,40 @@ struct Outcome {
   std::size_t better = 0;                // option; only if `worse` is not empty
   std::vector<const PairResult*> worse;  // significant pairs of it, the smallest difference first
   bool isUnclear = false;                // the best mean is significantly worse in pairs
+  int rank = 0;                          // of the metric: importanceOf()
+  double size = 0.0;                     // largest difference, as a share of the larger mean
+  bool isWin() const { return !worse.empty() && !isUnclear; }
+  /// Significant, but hardly relevant. Success and contacts always matter.
+  bool isSmall() const { return rank > kContactRank && size < kSmallShare; }
+
+  static constexpr int kContactRank = 1;
+  static constexpr double kSmallShare = 0.02;
 };
 
 bool isSuccess(const Metric& metric) {
   return metric.isRate && metric.sense > 0;
+}
+
+/// The place of a metric in the verdict: success, contacts, time to the goal, all others.
+int importanceOf(const Metric& metric) {
+  constexpr std::string_view kContacts[] = {"robot_on_person_collision",
+                                            "person_on_robot_collision", "obstacle_collisions",
+                                            "ended_by_contact"};
+  const std::string own = metric.key.substr(metric.key.rfind('.') + 1);  // of any robot
+  if (isSuccess(metric)) {
+    return 0;
+  }
+  if (std::find(std::begin(kContacts), std::end(kContacts), own) != std::end(kContacts)) {
+    return Outcome::kContactRank;
+  }
+  return Outcome::kContactRank + (own == "time_to_reach_goal" ? 1 : 2);
+}
+
+/// The mean difference of a pair as a share of the larger of both means.
+double relativeSizeOf(const MetricComparison& comparison, const PairResult& pair) {
+  const double larger = std::max(std::abs(comparison.estimates[pair.first].mean),
+                                 std::abs(comparison.estimates[pair.second].mean));
+  return larger > 0.0 ? std::abs(statistics::mean(pair.differences)) / larger : 0.0;
 }
 
 /// The option that is better in a significant pair; nothing: no difference could be shown.
@@ -126,7 +158,16 @@ Outcome outcomeOf(const Study& study, const MetricComparison& comparison) {
                    [](const PairResult* a, const PairResult* b) {
                      return std::abs(a->shift) < std::abs(b->shift);
                    });
+  outcome.rank = importanceOf(metric);
+  for (const PairResult* const pair : outcome.worse) {
+    outcome.size = std::max(outcome.size, relativeSizeOf(comparison, *pair));
+  }
   return outcome;
+}
+
+/// What matters most comes first: by metric, then by the size of the difference.
+bool isMoreImportant(const Outcome& a, const Outcome& b) {
+  return a.rank != b.rank ? a.rank < b.rank : a.rank > Outcome::kContactRank && a.size > b.size;
 }
 
 /// "Path length by 1.24 m (95 % CI 0.91 to 1.53)"; with several options also the one it is compared
@@ -166,25 +207,53 @@ std::string sizeText(const Study& study) {
                                  : "");
 }
 
+/// The options that are better in an outcome of this kind, the most important first.
+std::vector<std::size_t> winners(const std::vector<Outcome>& outcomes, bool isSmall) {
+  std::vector<std::size_t> options;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.isWin() && outcome.isSmall() == isSmall &&
+        std::find(options.begin(), options.end(), outcome.better) == options.end()) {
+      options.push_back(outcome.better);
+    }
+  }
+  return options;
+}
+
 /// The sentences about the metrics in which an option is better, one per option.
 std::string winsMarkup(const Study& study, const std::vector<Outcome>& outcomes) {
   std::string text;
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
+  for (const std::size_t option : winners(outcomes, false)) {
     std::vector<std::string> wins;
     for (const Outcome& outcome : outcomes) {
-      if (!outcome.worse.empty() && !outcome.isUnclear && outcome.better == option) {
+      if (outcome.isWin() && !outcome.isSmall() && outcome.better == option) {
         wins.push_back(winMarkup(study, outcome));
       }
     }
-    if (!wins.empty()) {
-      const bool isPair = study.options.size() == 2;
-      text += bold(study.options[option]) +
-              (isPair ? " is better than " + bold(study.options[1 - option]) + " in "
-                      : " is best in ") +
-              base::join(wins, "; ") + ". ";
-    }
+    const bool isPair = study.options.size() == 2;
+    text +=
+        bold(study.options[option]) +
+        (isPair ? " is better than " + bold(study.options[1 - option]) + " in " : " is best in ") +
+        base::join(wins, "; ") + ". ";
   }
   return text;
+}
+
+/// A sentence on significant differences that are too small to matter; empty without any.
+std::string smallWinsMarkup(const Study& study, const std::vector<Outcome>& outcomes) {
+  std::vector<std::string> texts;
+  for (const std::size_t option : winners(outcomes, true)) {
+    std::vector<std::string> names;
+    for (const Outcome& outcome : outcomes) {
+      if (outcome.isWin() && outcome.isSmall() && outcome.better == option) {
+        names.push_back(escaped(study.metrics[outcome.comparison->metric].name));
+      }
+    }
+    texts.push_back(bold(study.options[option]) + " in " + listed(names));
+  }
+  const int percent = static_cast<int>(std::lround(100.0 * Outcome::kSmallShare));
+  return texts.empty() ? std::string()
+                       : "Better by less than " + std::to_string(percent) +
+                             " % of the mean: " + base::join(texts, "; ") + ". ";
 }
 
 /// Can at least two options be ranked by this metric?
@@ -221,19 +290,22 @@ std::string verdictMarkup(const Study& study, const Comparisons& comparisons) {
            "\n";
   }
   std::vector<Outcome> outcomes;
-  std::vector<std::string> open;
   for (const MetricComparison& comparison : comparisons) {
     if (isComparable(study, comparison)) {
       outcomes.push_back(outcomeOf(study, comparison));
-      if (outcomes.back().worse.empty() && !outcomes.back().isUnclear && isTested(comparison)) {
-        open.push_back(escaped(study.metrics[comparison.metric].name));
-      }
     }
   }
   if (outcomes.empty()) {
     return {};
   }
-  std::string text = winsMarkup(study, outcomes);
+  std::stable_sort(outcomes.begin(), outcomes.end(), isMoreImportant);
+  std::vector<std::string> open;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.worse.empty() && !outcome.isUnclear && isTested(*outcome.comparison)) {
+      open.push_back(escaped(study.metrics[outcome.comparison->metric].name));
+    }
+  }
+  std::string text = winsMarkup(study, outcomes) + smallWinsMarkup(study, outcomes);
   if (!open.empty()) {
     const bool isNone = open.size() == outcomes.size() && open.size() > 1;
     text += "With " + sizeText(study) + ", no difference could be shown in " +

@@ -132,6 +132,42 @@ class ReportVerdictTest : public QObject {
                             "p < 0.05 after Holm's adjustment over 3 tests."));
   }
 
+  /// Metric A differs by 4.5 % of the mean, Metric B by 45 %: 4.5 of 10. Contacts, although they
+  /// differ by less than 2 %, and the time are named before.
+  void verdict_leadsWithWhatMatters() {
+    Study study = studyOf({kAllLower, kAllLower, kAllLower, kAllLower});
+    for (double& value : study.results.metrics[1]) {
+      value -= 90.0;
+    }
+    study.metrics[2].key = "time_to_reach_goal";
+    study.metrics[3].key = "robot2.obstacle_collisions";
+    for (double& value : study.results.metrics[3]) {
+      value += 900.0;
+    }
+    const QString verdict = plain(verdictMarkup(study, comparedAll(study)));
+    const QString number = QStringLiteral(" by [^;]*");
+    const QRegularExpression order(QStringLiteral("^alpha is better than beta in Metric D") +
+                                   number + QStringLiteral("; Metric C") + number +
+                                   QStringLiteral("; Metric B") + number +
+                                   QStringLiteral("; Metric A by "));
+    QVERIFY2(order.match(verdict).hasMatch(), qPrintable(verdict));
+  }
+
+  /// 4.5 of 1000 is significant, and too little to matter.
+  void verdict_smallDifferences_areOnlyNamed() {
+    Study study = studyOf({kAllLower, kMostHigher});
+    for (double& value : study.results.metrics[0]) {
+      value += 900.0;
+    }
+    const QString verdict = plain(verdictMarkup(study, comparedAll(study)));
+    QVERIFY2(verdict.startsWith(QStringLiteral("beta is better than alpha in Metric B by 4.5 m")),
+             qPrintable(verdict));
+    QVERIFY2(verdict.contains(
+                 QStringLiteral("Better by less than 2 % of the mean: alpha in Metric A. ")),
+             qPrintable(verdict));
+    QVERIFY2(!verdict.contains(QStringLiteral("Metric A by")), qPrintable(verdict));
+  }
+
   /// All eight against none of eight: McNemar 2 / 256. An option that never succeeds is compared by
   /// success alone.
   void verdict_optionThatNeverSucceeds_isComparedBySuccessAlone() {
