@@ -50,6 +50,26 @@ Vec2 obstacleRepulsion(const ForceParameters& parameters, const Vec2& away, doub
                                : Vec2(parameters.obstacleFactor * share / distance * away);
 }
 
+/// Whether both exponents of the social force are below -cutOff, by a bound without transcendental
+/// functions: |theta| >= |sin(angle)| - epsilon * reach.
+bool isBeyond(const ForceParameters& parameters, const Walker& self, const Walker& other,
+              double cutOff, double epsilon) {
+  const Vec2 apart = other.position - self.position;
+  const double distance = apart.norm();
+  if (distance < kMinLength) {
+    return false;
+  }
+  const Vec2 relative = self.velocity - other.velocity;
+  const double length = (parameters.lambda * relative + apart / distance).norm();
+  const double reach = parameters.gamma * length;
+  const double width = std::min(parameters.n, parameters.nPrime);
+  const double turn =
+      width * parameters.gamma * parameters.lambda * base::cross(relative, apart) / distance;
+  const double sideways = std::max(std::fabs(turn) - width * epsilon * reach * reach, 0.0);
+  return distance + sideways * sideways * parameters.gamma * length >
+         cutOff * parameters.gamma * length;
+}
+
 }  // namespace
 
 base::ParameterTable<ForceParameters> forceTable() {
@@ -134,17 +154,17 @@ double cutOff(double share) {
 
 bool isNegligible(const ForceParameters& parameters, const Walker& self, const Walker& other,
                   double cutOff) {
-  const Vec2 apart = other.position - self.position;
-  const double distance = apart.norm();
-  if (distance < kMinLength) {
-    return false;
-  }
-  const Vec2 relative = self.velocity - other.velocity;
-  const double length = (parameters.lambda * relative + apart / distance).norm();
-  const double sideways = std::min(parameters.n, parameters.nPrime) * parameters.gamma *
-                          parameters.lambda * base::cross(relative, apart) / distance;
-  return distance + sideways * sideways * parameters.gamma * length >
-         cutOff * parameters.gamma * length;
+  return isBeyond(parameters, self, other, cutOff, 0.0);
+}
+
+double cutOffOfForce(const ForceParameters& parameters, double force) {
+  constexpr double kRounding = 1e-6;
+  return base::log(std::sqrt(2.0) * std::fabs(parameters.socialFactor) / force) + kRounding;
+}
+
+bool isWeaker(const ForceParameters& parameters, const Walker& self, const Walker& other,
+              double cutOff) {
+  return isBeyond(parameters, self, other, cutOff, std::fabs(parameters.epsilon));
 }
 
 double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,

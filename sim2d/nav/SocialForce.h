@@ -68,6 +68,12 @@ Vec2 meanGoalForce(const ForceParameters& parameters, const Vec2& velocity, cons
 /// the interaction vector vanishes, the force is its limit, zero.
 Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Walker& other);
 
+/// Cut-off for `isWeaker`: forces [m/s²] below `force`.
+double cutOffOfForce(const ForceParameters& parameters, double force);
+/// Whether `socialForce` is certainly below the force of `cutOff`; much cheaper than the force.
+bool isWeaker(const ForceParameters& parameters, const Walker& self, const Walker& other,
+              double cutOff);
+
 /// Exponent of a cut-off that ignores forces below `share` of k_s: -ln(share).
 double cutOff(double share);
 /// True if both components of the force are below the share of k_s given by `cutOff`, by a bound

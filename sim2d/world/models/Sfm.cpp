@@ -64,6 +64,9 @@ class Sfm : public PedestrianModel {
       if (!sumsAll && isNegligible(parameters_, situation.self, other, cutOff_)) {
         continue;
       }
+      if (!situation.exact && isWeaker(parameters_, situation.self, other, cutOffOfMin_)) {
+        continue;
+      }
       const Vec2 force = socialForce(parameters_, situation.self, other);
       if (!situation.exact && force.norm() < kMinForce) {
         continue;  // too small for a wall test
@@ -99,6 +102,7 @@ class Sfm : public PedestrianModel {
   ForceParameters parameters_;
   bool isOriginal_;
   double cutOff_ = cutOff(kNegligible);
+  double cutOffOfMin_ = cutOffOfForce(parameters_, kMinForce);
 };
 
 }  // namespace
