@@ -29,6 +29,10 @@ Estimate estimateOf(const Study& study, const Metric& metric, Numbers values) {
         statistics::wilsonInterval(estimate.successes, estimate.count(), study.level);
     return estimate;
   }
+  estimate.isConstant = areConstant(all);
+  if (estimate.isConstant) {
+    return estimate;
+  }
   statistics::BootstrapOptions options;
   options.level = study.level;
   options.resamples = study.resamples;
@@ -66,7 +70,9 @@ void testRates(const Study& study, const std::vector<statistics::PairedOutcomes>
 
 void testNumbers(const Study& study, const statistics::Strata& strata, PairTest& pair) {
   pair.shift = statistics::stratifiedShift(strata);
-  pair.shiftInterval = statistics::stratifiedShiftInterval(strata, study.level);
+  if (!areConstant(pair.differences)) {
+    pair.shiftInterval = statistics::stratifiedShiftInterval(strata, study.level);
+  }
   pair.p = statistics::stratifiedSignedRank(strata).p;
 }
 
@@ -301,6 +307,12 @@ const PairResult* MetricComparison::pairOf(std::size_t a, std::size_t b) const {
   return base::findIf(pairs, [&](const PairResult& pair) {
     return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
   });
+}
+
+bool areConstant(const Numbers& values) {
+  return values.size() > 1 && std::all_of(values.begin(), values.end(), [&values](double value) {
+           return value == values.front();
+         });
 }
 
 double valueOf(const Study& study, std::size_t metric, std::size_t run) {

@@ -17,8 +17,10 @@ struct Estimate {
   int successes = 0;  // of a rate
   double mean = statistics::kUndefined, deviation = statistics::kUndefined;
   double median = statistics::kUndefined;
-  Interval interval;        // of the mean: BCa; of a rate: Wilson
-  Interval medianInterval;  // from order statistics
+  Interval interval;        // of the mean: BCa; of a rate: Wilson; undefined if isConstant
+  Interval medianInterval;  // from order statistics; likewise
+  /// Several equal values that are not a rate: nothing shows how much others would differ.
+  bool isConstant = false;
   int count() const { return static_cast<int>(values.size()); }
 };
 
@@ -27,7 +29,7 @@ struct PairTest {
   Numbers differences;                    // first - second, per block with both
   int higher = 0, lower = 0;              // number of blocks in which first is higher, lower
   double shift = statistics::kUndefined;  // Hodges-Lehmann; for rates, the difference
-  Interval shiftInterval;
+  Interval shiftInterval;                 // undefined also if all differences are equal
   /// Number of pairs for 80 % power to find such a difference; smallest difference > 0 that these
   /// pairs find with 80 % power, both at the level 5 %.
   double requiredPairs = statistics::kUndefined, detectable = statistics::kUndefined;
@@ -77,6 +79,9 @@ struct MetricComparison {
 };
 
 constexpr double kSignificance = 0.05;
+
+/// Whether there are several values, all equal.
+bool areConstant(const Numbers& values);
 
 /// The value of a metric in a run. For a failed run, success and completion are 0; all other values
 /// are undefined, because the run is incomplete.

@@ -415,7 +415,7 @@ std::string fewPairsText(const std::vector<const MetricComparison*>& comparisons
   for (const MetricComparison* comparison : comparisons) {
     for (const PairResult* pair : shownPairs(*comparison)) {
       if (!pair->differences.empty() && !pair->shiftInterval.isDefined()) {
-        return " Without a bar: too few pairs for an interval of this level.";
+        return " Without a bar: too few pairs for an interval of this level, or equal differences.";
       }
     }
   }

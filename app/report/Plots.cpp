@@ -109,7 +109,7 @@ std::string singleValueText(const std::vector<const MetricComparison*>& comparis
   for (const MetricComparison* comparison : comparisons) {
     for (const Estimate& estimate : comparison->estimates) {
       if (!std::isnan(estimate.mean) && !estimate.interval.isDefined()) {
-        return " Without a line: a single value has no interval.";
+        return " Without a line: a single value or equal values have no interval.";
       }
     }
   }

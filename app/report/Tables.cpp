@@ -14,6 +14,7 @@ namespace {
 using Cell = Table::Cell;
 
 constexpr double kManyPairs = 9999.0;
+constexpr const char* kConstant = "constant";  // instead of an interval
 constexpr const char* kPowerText =
     "Enough: number of pairs required to detect a difference such as the observed one. Detectable: "
     "smallest difference that this number of pairs can detect (both: power 80 %, level 5 % without "
@@ -54,7 +55,7 @@ Cell estimateCell(const Study& study, const MetricComparison& comparison, std::s
   const int decimals = decimalsFor(value, interval);
   Cell cell;
   cell.text = estimateText(metric, value, decimals);
-  cell.below = estimateInterval(metric, interval, decimals);
+  cell.below = estimate.isConstant ? kConstant : estimateInterval(metric, interval, decimals);
   cell.note = countNote(study, estimate, option);
   cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
   cell.bold = !median && comparison.isBestOrTied(option);
@@ -122,7 +123,9 @@ void addTest(const Study& study, const MetricComparison& comparison, const PairT
   const int decimals = decimalsFor(test.shift, test.shiftInterval);
   const auto ties = static_cast<int>(test.differences.size()) - test.higher - test.lower;
   Cell shift = numberCell(estimateText(metric, test.shift, decimals), test.shift);
-  shift.below = estimateInterval(metric, test.shiftInterval, decimals);
+  shift.below = !metric.isRate && areConstant(test.differences)
+                    ? kConstant
+                    : estimateInterval(metric, test.shiftInterval, decimals);
   row.push_back(numberCell(std::to_string(test.differences.size()),
                            static_cast<double>(test.differences.size())));
   row.push_back({std::to_string(test.higher) + " / " + std::to_string(ties) + " / " +
@@ -196,6 +199,17 @@ double enoughBlocks(const MetricComparison& comparison) {
                         : statistics::kUndefined;
 }
 
+/// Explains "constant"; empty without such a cell.
+std::string constantText(const Comparisons& comparisons) {
+  for (const MetricComparison& comparison : comparisons) {
+    if (std::any_of(comparison.estimates.begin(), comparison.estimates.end(),
+                    [](const Estimate& estimate) { return estimate.isConstant; })) {
+      return " Constant: all runs have this value, so there is no interval.";
+    }
+  }
+  return {};
+}
+
 /// "Success 12 %, Path length [m] 0.62": the largest of the differences that the listed pairs of a
 /// metric can detect. Empty if there are none.
 std::string detectableText(const Study& study, const Comparisons& comparisons) {
@@ -216,7 +230,9 @@ std::string detectableText(const Study& study, const Comparisons& comparisons) {
 std::vector<std::string> summaryRow(const Study& study, std::size_t metric, const Numbers& values) {
   const Metric& what = study.metrics[metric];
   const Numbers five = statistics::quantiles(values, {0.0, 0.25, 0.5, 0.75, 1.0});
-  const Interval interval = statistics::meanInterval(values, study.level);
+  const Interval interval = !what.isRate && areConstant(values)
+                                ? Interval()
+                                : statistics::meanInterval(values, study.level);
   std::vector<std::string> row = {what.key, what.unit == "-" ? "" : what.unit,
                                   std::to_string(values.size())};
   for (const double number :
@@ -257,7 +273,7 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
     table.rows.push_back(std::move(row));
   }
   table.caption = "Means (for rates: shares of runs) with confidence intervals, level " +
-                  levelText(study.level) + ".";
+                  levelText(study.level) + "." + constantText(comparisons);
   if (study.options.size() > 1) {
     table.caption +=
         " Bold: best. †: significantly worse than the best on the same cases and seeds (p < 0.05, "

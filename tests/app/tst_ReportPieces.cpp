@@ -457,6 +457,29 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(found.pairs[0].requiredPairs, 6.0);
   }
 
+  /// Three counts of 0 show nothing about the width of an interval; 0 of 3 runs do: Wilson's end is
+  /// z² / (n + z²) = 3.8415 / 6.8415.
+  void compare_equalValues_haveNoInterval() {
+    Study study = smallStudy();
+    study.results.metrics[0] = {0.0, 0.0, 0.0, 2.0, 3.0};
+    MetricComparison found = compare(study, 0, blocksOf(study));
+    QVERIFY(found.estimates[0].isConstant && !found.estimates[1].isConstant);
+    QVERIFY(!found.estimates[0].interval.isDefined());
+    QVERIFY(!found.estimates[0].medianInterval.isDefined());
+    QVERIFY(found.estimates[1].interval.isDefined());
+    const Table results = resultsTable(study, {found}, {});
+    QCOMPARE(results.rows[0][2].below, std::string("constant"));
+    QVERIFY(results.caption.find("Constant: all runs have this value") != std::string::npos);
+    study.results.metrics[0] = {4.0, 5.0, 7.0, 2.0, 3.0};  // both pairs differ by 2
+    found = compare(study, 0, blocksOf(study));
+    QCOMPARE(pairsTable(study, {found}, true).rows[0][4].below, std::string("constant"));
+    study.metrics[0].isRate = true;
+    study.results.metrics[0] = {0.0, 0.0, 0.0, 1.0, 1.0};
+    const statistics::Interval rate = compare(study, 0, blocksOf(study)).estimates[0].interval;
+    QCOMPARE(rate.low, 0.0);
+    QVERIFY(std::abs(rate.high - 0.5615) < 1e-4);
+  }
+
   /// In one scenario all six agree: p = 2/2^6 of the signed-rank test. In the other the ranks are
   /// 6 - 5 + 4 - 3 + 2 - 1. Together, each weighted with 1/7: of the 2^12 changes of signs, counted
   /// by a program of a few lines, 442 give a sum of 21 + 9 or more.

@@ -135,6 +135,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     // 2 of 4, Wilson: (0.5 + 1.9207 / 4 ± 1.95996 √(0.0625 + 3.8415 / 64)) / 1.9604 = 0.15, 0.85
     QCOMPARE(estimateOf("success", rows), text("50 % [15, 85]"));
     QCOMPARE(estimateOf("path_length", {rowOf(0, 10.0)}), text("10.0"));
+    QCOMPARE(estimateOf("path_length", {rowOf(0, 10.0), rowOf(1, 10.0)}), text("10.0"));
     QCOMPARE(estimateOf("path_length", {}), QString());
   }
 

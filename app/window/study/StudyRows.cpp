@@ -132,6 +132,10 @@ report::Estimate estimateOf(const StudyMetric& metric, const std::vector<const S
     }
   }
   estimate.mean = statistics::mean(estimate.values);
+  estimate.isConstant = report::areConstant(estimate.values);
+  if (estimate.isConstant) {
+    return estimate;  // no interval, as in the report
+  }
   estimate.interval = estimate.values.size() <= kMostResampled
                           ? statistics::bootstrapMeanInterval(estimate.values)
                           : statistics::meanInterval(estimate.values);
