@@ -4,6 +4,7 @@
 #include <map>
 
 #include "editor/look/FigurePainter.h"
+#include "editor/look/FocusFrames.h"
 #include "editor/look/Icons.h"
 #include "editor/look/WrappedToolTips.h"
 
@@ -15,6 +16,7 @@ constexpr int kFieldHeight = 24;
 constexpr int kRowHeight = 24;
 constexpr int kTabHeight = 32;
 constexpr int kToolButton = 32;
+constexpr int kFocusFrameWidth = 2;
 constexpr int kHeadingGap = 8;   // Between the headings of a table [px].
 constexpr int kComboFrame = 34;  // Space around the text of a combo box.
 
@@ -44,6 +46,8 @@ void applyTheme(const Theme& theme) {
     QApplication::setStyle(new AppStyle(theme));
     // The application owns its style: NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
     qApp->installEventFilter(new WrappedToolTips(qApp));
+    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
+    qApp->installEventFilter(new FocusFrames(qApp));
   }
   // The application owns its style: NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
   QApplication::setFont(theme.font());
@@ -81,6 +85,8 @@ int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                                                   {PM_SliderLength, 14},
                                                   {PM_IndicatorWidth, 16},
                                                   {PM_IndicatorHeight, 16},
+                                                  {PM_FocusFrameHMargin, 0},
+                                                  {PM_FocusFrameVMargin, 0},
                                                   {PM_MenuBarPanelWidth, 0},
                                                   {PM_MenuBarVMargin, 0},
                                                   {PM_MenuBarHMargin, 0}};
@@ -102,10 +108,17 @@ int AppStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidge
       {SH_EtchDisabledText, 0},
       {SH_DitherDisabledText, 0},
       {SH_ScrollBar_Transient, 0},
+      {SH_FocusFrame_AboveWidget, 1},
       {SH_DialogButtonBox_ButtonsHaveIcons, 0},  // The platform icons are not part of the icon set.
       {SH_TabBar_Alignment, Qt::AlignLeft},
       {SH_TabBar_ElideMode, Qt::ElideRight},
       {SH_ToolTip_WakeUpDelay, 500}};
+  if (auto* mask = qstyleoption_cast<QStyleHintReturnMask*>(returned);
+      hint == SH_FocusFrame_Mask && mask != nullptr && option != nullptr) {
+    const int width = kFocusFrameWidth;
+    mask->region = QRegion(option->rect) - option->rect.adjusted(width, width, -width, -width);
+    return 1;
+  }
   const auto own = kOwn.find(hint);
   return own != kOwn.end() ? own->second : QProxyStyle::styleHint(hint, option, widget, returned);
 }
@@ -339,6 +352,9 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
       if (const auto* bar = qstyleoption_cast<const QStyleOptionProgressBar*>(option)) {
         drawProgress(*painter, *bar, element == CE_ProgressBarContents);
       }
+      break;
+    case CE_FocusFrame:  // Masked: only its edge is visible.
+      painter->fillRect(option->rect, theme_.color(Role::Accent));
       break;
     case CE_Splitter:
       painter->fillRect(option->rect, theme_.color(Role::Line));

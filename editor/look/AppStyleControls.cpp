@@ -209,7 +209,6 @@ void AppStyle::drawSlider(QPainter& painter, const QStyleOptionSlider& slider,
 
 void AppStyle::drawToolButton(QPainter& painter, const QStyleOptionToolButton& button,
                               const QWidget* widget) const {
-  drawFocusRing(painter, button, QRectF(button.rect));
   const bool link = widget != nullptr && widget->property(kLinkProperty).toBool();
   const bool isChecked = button.state & State_On;
   const bool on = isChecked || button.state & State_Sunken;
@@ -218,6 +217,7 @@ void AppStyle::drawToolButton(QPainter& painter, const QStyleOptionToolButton& b
             theme_.color(on ? Role::RowSelected : Role::RowHover),
             link ? QPen(theme_.color(Role::Accent), 1.0) : QPen(Qt::NoPen));
   }
+  drawFocusRing(painter, button, QRectF(button.rect));
   if (widget != nullptr && widget->objectName() == QLatin1String("qt_toolbar_ext_button")) {
     constexpr double kApart = 2.5;  // From the centre to each chevron [px].
     for (const double x : {-kApart, kApart}) {

@@ -78,6 +78,7 @@ void styleList(QAbstractItemView& list, const QString& name) {
 void styleTable(QTableView& table, const QString& name) {
   styleList(table, name);
   table.setShowGrid(false);
+  table.setTabKeyNavigation(false);  // Tab leaves the table.
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::SingleSelection);

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "app/window/help/CommandPalette.h"
 #include "app/window/settings/PreferencesDialog.h"
 #include "editor/look/AppStyle.h"
@@ -88,6 +90,52 @@ class WindowAccessTest : public QObject, protected quiet::InFolder {
   editor::EntityId first(base::EntityKind kind) {
     const std::vector<editor::EntityId> all = document().entities(kind);
     return all.empty() ? editor::EntityId() : all.front();
+  }
+
+  /// How many pixels of the widget with the focus change with it, to a visible colour.
+  static int markedPixels(QWidget& control, const editor::Theme& theme) {
+    QWidget& top = *control.window();
+    const QRect place =
+        QRect(control.mapTo(&top, QPoint()), control.size()).adjusted(-3, -3, 3, 3) & top.rect();
+    const QImage with = top.grab(place).toImage();
+    control.clearFocus();
+    const QImage without = top.grab(place).toImage();
+    control.setFocus(Qt::TabFocusReason);
+    int visible = 0;
+    for (int k = 0; k < with.width() * with.height(); ++k) {
+      const QPoint at(k % with.width(), k / with.width());
+      const QColor now = with.pixelColor(at);
+      visible += now != without.pixelColor(at) &&
+                 editor::contrastRatio(now, theme.color(editor::Role::Window)) >= 3.0;
+    }
+    return visible;
+  }
+  /// Presses Tab until the first widget has the focus again; each must show that it has it.
+  static void walkTabStops(QWidget& top, const editor::Theme& theme, int least) {
+    top.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&top));
+    QStringList unmarked;
+    std::set<const QWidget*> seen;
+    if (QApplication::focusWidget() == nullptr) {
+      top.setFocus();
+    }
+    for (int i = 0; i < 400; ++i) {
+      QWidget* const before = QApplication::focusWidget();
+      QTest::keyClick(before != nullptr ? before : &top, Qt::Key_Tab);
+      QWidget* const stop = QApplication::focusWidget();
+      QVERIFY(stop != nullptr && stop != before);
+      if (!seen.insert(stop).second) {
+        break;
+      }
+      if (markedPixels(*stop, theme) < 20) {
+        unmarked << QLatin1String(stop->metaObject()->className()) + QLatin1Char(' ') +
+                        stop->objectName() + QLatin1Char(' ') + stop->accessibleName() +
+                        QLatin1String(" < ") +
+                        QLatin1String(stop->parentWidget()->metaObject()->className());
+      }
+    }
+    QCOMPARE(unmarked.join(QLatin1Char('\n')), QString());
+    QVERIFY2(static_cast<int>(seen.size()) >= least, qPrintable(QString::number(seen.size())));
   }
 
  private Q_SLOTS:
@@ -217,6 +265,46 @@ class WindowAccessTest : public QObject, protected quiet::InFolder {
       QVERIFY2(visible >= 20, control->metaObject()->className());
     }
     editor::applyTheme(editor::Theme::light());
+  }
+
+  /// Every stop of Tab in the window with its panels, on the start page and in dialogs.
+  void tabStops_all_showTheFocus_data() { focus_ofAControl_isVisible_data(); }
+  void tabStops_all_showTheFocus() {
+    QFETCH(bool, isDark);
+    const editor::Theme theme(isDark);
+    editor::applyTheme(theme);
+    walkTabStops(*window_, theme, 10);
+    QVERIFY(window_->open(quiet::demoPath()));
+    document().setSelection({first(base::EntityKind::Human)});
+    for (const QString& name : window_->docks().names()) {
+      window_->docks().show({name, QStringLiteral("properties")});
+    }
+    walkTabStops(*window_, theme, 40);
+    window_->actions().preferences->trigger();
+    auto& preferences = *window_->findChild<app::PreferencesDialog*>();
+    for (int i = 0; i < preferences.pages().count(); ++i) {
+      preferences.pages().setCurrentIndex(i);
+      walkTabStops(preferences, theme, 3);
+    }
+    preferences.close();
+    editor::applyTheme(editor::Theme::light());
+  }
+
+  /// Texts, trees and the map have no mark of their own; a click needs none.
+  void focus_byMouse_hasNoFrame() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    editor::MapView& view = window_->workspace().view();
+    const auto isFramed = [this] {
+      const auto* frame = window_->findChild<QFocusFrame*>();
+      return frame != nullptr && frame->isVisible();
+    };
+    QTest::keyClick(&view, Qt::Key_Tab);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab);
+    QVERIFY(view.hasFocus() && isFramed());
+    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, QPoint(3, 3));
+    QVERIFY(view.hasFocus() && !isFramed());
   }
 
   /// What the desktop's accessibility service sees, read by another program.

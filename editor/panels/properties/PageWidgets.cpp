@@ -46,7 +46,9 @@ class RouteEditor::Chip : public QToolButton {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF pill = QRectF(rect()).adjusted(first_ ? 0.5 : kArrow + 0.5, 0.5, -0.5, -0.5);
-    painter.setPen(palette().color(hasFocus() || underMouse() ? QPalette::Link : QPalette::Mid));
+    painter.setPen(
+        QPen(palette().color(hasFocus() || underMouse() ? QPalette::Link : QPalette::Mid),
+             hasFocus() ? 2.0 : 1.0));
     painter.setBrush(palette().color(QPalette::AlternateBase));
     painter.drawRoundedRect(pill, pill.height() / 2, pill.height() / 2);
     painter.setPen(palette().color(QPalette::Text));
