@@ -109,7 +109,7 @@ std::string gateMarkdown(const app::GateOptions& options, const app::GateResult&
   constexpr std::size_t kMostRows = 10;
   Table table = gateTable(result);
   table.caption = headline;
-  std::string text = tableMarkdown(table) + "\n";
+  std::string text = tableMarkdown(table) + "\n" + kGateColumnsText + "\n\n";
   for (const std::string& remark : gateRemarks(options, result)) {
     text += "> " + remark + "\n\n";
   }
@@ -264,6 +264,10 @@ std::vector<std::vector<std::string>> gateRows(const app::GateResult& result) {
     }
   }
   return rows;
+}
+
+std::string gateColumnsText() {
+  return kGateColumnsText;
 }
 
 }  // namespace report

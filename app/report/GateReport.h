@@ -24,5 +24,7 @@ GateReport makeGateReport(const app::GateOptions& options, const app::GateResult
 
 /// The rows of the verdict table as plain text, with a header.
 std::vector<std::vector<std::string>> gateRows(const app::GateResult& result);
+/// What their columns contain.
+std::string gateColumnsText();
 
 }  // namespace report

@@ -121,8 +121,13 @@ std::string marginText(const GateMetric& metric) {
 Table gateTable(const app::GateResult& result) {
   Table table;
   table.name = "gate";
-  table.columns = {{"Metric", {}, false},    {"Base", {}, true},   {"Candidate", {}, true},
-                   {"Difference", {}, true}, {"Margin", {}, true}, {"Verdict", {}, false},
+  table.caption = kGateColumnsText;
+  table.columns = {{"Metric", {}, false},
+                   {"Base, mean", {}, true},
+                   {"Candidate, mean", {}, true},
+                   {"Difference of pairs", {}, true},
+                   {"Margin", {}, true},
+                   {"Verdict", {}, false},
                    {"Pairs", {}, true}};
   for (const GateMetricResult& each : result.metrics) {
     const GateDifference difference = gateDifference(each);

@@ -22,6 +22,15 @@ struct GateDifference {
 GateDifference gateDifference(const app::GateMetricResult& result);
 std::string marginText(const app::GateMetric& metric);  // "5 points", "5 %", "0.1 m"
 
+/// What the columns of gateTable contain: they are different means.
+constexpr char kGateColumnsText[] =
+    "Base and candidate: means of the runs with a value. Difference of pairs: mean over the pairs "
+    "of "
+    "the same scenario and seed, in which one pair counts at most 10 margins and a goal that is "
+    "not "
+    "reached counts as the worst value; in %: of the geometric mean of ratios. It may differ from "
+    "the difference of the two means.";
+
 /// One row per metric.
 Table gateTable(const app::GateResult& result);
 /// Mean differences with their intervals, in units of the margins.

@@ -6257,8 +6257,8 @@ Elegir qué muestra el mapa</translation>
 <context>
     <name>app::GatePage</name>
     <message>
-        <source>Difference candidate − base with its interval, which holds at all numbers of pairs. The scale has 4 margins at both ends; the dotted line is the margin.</source>
-        <translation>Diferencia candidato − base con su intervalo, válido para cualquier número de pares. La escala llega a 4 márgenes en ambos extremos; la línea de puntos es el margen.</translation>
+        <source>Base and candidate: means of the runs with a value. Difference candidate − base: mean over the pairs with its interval, which holds at all numbers of pairs; one pair counts at most 10 margins. The scale has 4 margins at both ends; the dotted line is the margin.</source>
+        <translation>Base y candidato: medias de las ejecuciones con valor. Diferencia candidato − base: media de los pares con su intervalo, válido para cualquier número de pares; un par cuenta como máximo 10 márgenes. La escala llega a 4 márgenes en ambos extremos; la línea de puntos es el margen.</translation>
     </message>
     <message>
         <source>Metrics</source>

@@ -6257,8 +6257,8 @@ Choose what the map shows</source>
 <context>
     <name>app::GatePage</name>
     <message>
-        <source>Difference candidate − base with its interval, which holds at all numbers of pairs. The scale has 4 margins at both ends; the dotted line is the margin.</source>
-        <translation>候选 − 基准的差值及其区间，该区间对任意对数都成立。刻度两端为 4 倍裕度；虚线为裕度。</translation>
+        <source>Base and candidate: means of the runs with a value. Difference candidate − base: mean over the pairs with its interval, which holds at all numbers of pairs; one pair counts at most 10 margins. The scale has 4 margins at both ends; the dotted line is the margin.</source>
+        <translation>基准和候选：有数值的运行的平均值。候选 − 基准的差值：各对的平均值及其区间，该区间对任意对数都成立；每对最多计 10 倍裕度。刻度两端为 4 倍裕度；虚线为裕度。</translation>
     </message>
     <message>
         <source>Metrics</source>

@@ -128,6 +128,11 @@ class GateProgramTest : public QObject, InFolder {
              "time_to_reach_goal:5% --metric success:10% --duration 12 -o gate");
     QVERIFY2(worse.exitCode == 1, qPrintable(worse.err));
     QVERIFY2(worse.out.contains(text("WORSE: ")), qPrintable(worse.out));
+    // Means of different kinds stand side by side.
+    for (const char* words : {"Base, mean", "Candidate, mean", "Difference of pairs",
+                              "one pair counts at most 10 margins"}) {
+      QVERIFY2(worse.out.contains(text(words)), words);
+    }
     QCOMPARE(junitCounts(path("worse/gate/gate.xml")).left(3), text("2 1"));
     QVERIFY(isWellFormed(bytesOf(path("worse/gate/gate.html"))));
     QVERIFY(bytesOf(path("worse/gate/gate.md")).contains("**worse**"));

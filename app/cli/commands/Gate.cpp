@@ -123,6 +123,7 @@ void printGate(const report::GateReport& report, const GateResult& result,
     printLine(report.headline);
   } else {
     printTable(report::gateRows(result));
+    printLine(report::gateColumnsText());
     printLine(report.headline);
   }
 }

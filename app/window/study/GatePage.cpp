@@ -101,8 +101,10 @@ class GatePage : public OutputPage {
  public:
   GatePage(const GateOutput& output, const OutputPlace& place) : output_(output) {
     QStringList note = {
-        tr("Difference candidate − base with its interval, which holds at all numbers of pairs. "
-           "The scale has 4 margins at both ends; the dotted line is the margin.")};
+        tr("Base and candidate: means of the runs with a value. Difference candidate − base: mean "
+           "over the pairs with its interval, which holds at all numbers of pairs; one pair counts "
+           "at most 10 margins. The scale has 4 margins at both ends; the dotted line is the "
+           "margin.")};
     for (const std::string& remark : output.remarks) {
       note.append(QString::fromStdString(remark));
     }
