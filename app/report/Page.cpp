@@ -149,6 +149,11 @@ class PageBuilder {
                           ". The intervals and p values of this page do not take into account "
                           "that the number of seeds depended on the results.");
     }
+    if (!study_.changedInputs.empty()) {
+      notes_ += paragraph("Changed after the runs: " + base::join(study_.changedInputs, ", ") +
+                              ". The results belong to the earlier content of these files.",
+                          " class=\"warning\"");
+    }
     writeSeedWarning();
     std::string findings;
     for (const MetricComparison& comparison :

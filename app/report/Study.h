@@ -81,8 +81,9 @@ struct Study {
   /// From manifest.json; empty if unknown.
   std::string version, commit, resultsHash;
   std::vector<app::InputHash> inputs;
-  std::vector<std::string> drawn;  // value paths drawn per scenario and seed
-  std::string shard;               // "1/3"; empty: complete study
+  std::vector<std::string> changedInputs;  // paths of those with other content than in the runs
+  std::vector<std::string> drawn;          // value paths drawn per scenario and seed
+  std::string shard;                       // "1/3"; empty: complete study
   bool allowsCode = false;
   std::optional<double> timeLimit;      // [s], wall clock time per run
   std::vector<std::string> runOptions;  // `run` options set by the experiment

@@ -424,6 +424,27 @@ class ReportProgramTest : public QObject {
     QVERIFY2(!varied.err.contains(text("all seeds gave")), qPrintable(varied.err));
   }
 
+  /// The results are those of the earlier content.
+  void report_inputChangedAfterTheRuns_isWarnedOf() {
+    const StudyFolder folder;
+    const QString out = folder.path(text("out"));
+    const QString study = folder.writeStudy("study.yaml", "seeds: 2\nduration: 3.0\n");
+    QCOMPARE(failureOf(StudyFolder::words(study, out)), QString());
+    const Finished before = report(out, {text("--no-pdf")});
+    QVERIFY2(before.exitCode == 0 && !before.err.contains(text("was changed after the runs")),
+             qPrintable(before.err));
+    writeText(folder.path(text("yard.yaml")), QByteArray(kYardText).replace("1.2", "1.3"));
+    QCOMPARE(unexpected(report(out, {text("--no-pdf")}), 0,
+                        "yard.yaml: warning: this file was changed after the runs"),
+             QString());
+    const QStringList notes = textsOf(bytesOf(out + text("/report.html")), "p");
+    QVERIFY2(notes.filter(text("Changed after the runs: ")).size() == 1,
+             qPrintable(notes.join(text("|"))));
+    QFile::remove(folder.path(text("yard.yaml")));  // the folder of a colleague
+    const Finished elsewhere = report(out, {text("--no-pdf")});
+    QVERIFY2(!elsewhere.err.contains(text("was changed after")), qPrintable(elsewhere.err));
+  }
+
   void report_missingManifest_isAWarning() {
     const ResultsFolder folder;
     QVERIFY(QFile::remove(folder.filePath(text("manifest.json"))));
