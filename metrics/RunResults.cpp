@@ -127,8 +127,9 @@ constexpr Column kColumns[] = {
      "(-inf, inf)", &PersonEffect::delay},
     {"extra_force", "Velocity changes caused by the robot", "m/s",
      "sum of |change of velocity with - without|", "[0, inf)", &PersonEffect::extraForce},
-    {"slowed_time", "Time slowed down by the robot", "s", "time slower by more than 0.1 m/s",
-     "[0, inf)", &PersonEffect::slowedTime},
+    {"slowed_time", "Time slowed down by the robot", "s",
+     "time in which the speed is lower by more than 0.1 m/s", "[0, inf)",
+     &PersonEffect::slowedTime},
     {"heading_disturbance", "Heading changes caused by the robot", "rad",
      "mean over the samples of |wrap(heading with - without)|", "[0, inf)",
      &PersonEffect::disturbance}};
@@ -202,14 +203,14 @@ void PlanningTime::add(double seconds) {
 
 std::vector<MetricInfo> planningTimeInfos() {
   const char source[] = "MRPB; SRPB";
-  return {
-      {"planning_time_mean", "Mean planning time", "s", Category::Navigation, Better::Lower,
-       Needs{},
-       "mean over time steps of the wall-clock time in which all robots compute their "
-       "commands",
-       source},
-      {"planning_time_std", "Standard deviation of the planning time", "s", Category::Navigation,
-       Better::Lower, Needs{}, "sample standard deviation of the same", source}};
+  return {{"planning_time_mean", "Mean planning time", "s", Category::Navigation, Better::Lower,
+           Needs{},
+           "mean over time steps of the wall-clock time in which all robots compute their "
+           "commands",
+           source},
+          {"planning_time_std", "Standard deviation of the planning time", "s",
+           Category::Navigation, Better::Lower, Needs{},
+           "sample standard deviation of that time over the time steps", source}};
 }
 
 std::vector<MetricResult> PlanningTime::results() const {
