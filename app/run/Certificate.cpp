@@ -205,7 +205,7 @@ void addPlanners(Certificate& to, const std::vector<std::string>& metrics,
     isSolvedByBaseline = isBaseline && solved == seeds;
   }
   if (!isSolved) {
-    to.problems.emplace_back("no planner solves at least half of the seeds");
+    to.problems.emplace_back("no planner solves the scenario with at least half of the seeds");
   }
   for (const std::string& key : metrics) {
     CertifiedMetric metric;
@@ -220,8 +220,8 @@ void addPlanners(Certificate& to, const std::vector<std::string>& metrics,
   }
   if (isSolvedByBaseline) {
     to.problems.emplace_back(
-        "trivial: a robot that drives straight on solves all seeds, and no "
-        "planner is better in a metric of the card");
+        "trivial: a robot that drives straight on solves the scenario with all seeds, and no "
+        "planner is better in any metric of the card");
   }
 }
 

@@ -25,7 +25,7 @@ QString childCountText(std::size_t count) {
 }
 
 QString rootText() {
-  return QObject::tr("A tree has one root only");
+  return QObject::tr("A tree can have only one root");
 }
 
 /// The limit of the parent if it cannot hold `added` more children.

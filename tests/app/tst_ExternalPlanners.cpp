@@ -228,7 +228,7 @@ void ExternalPlannersTest::run_misbehaviour_endsWithItsReason_data() {
   row("dies", "read -r line; echo 'no more' >&2; exit 3\n", "with exit code 3");
   row("hangs", "read -r line; sleep 600\n", "did not answer within 0.5 s");
   row("floods", "yes '{\"linear\":0,\"angular\":0}'\n", "more than one line");
-  row("floods one line", "read -r line; tr '\\0' 'x' < /dev/zero\n", "without a line end");
+  row("floods one line", "read -r line; tr '\\0' 'x' < /dev/zero\n", "without a line break");
   row("talks nonsense", "read -r line; echo hello; sleep 600\n", "not a JSON object: 'hello'");
   row("gives up", "read -r line; echo '{\"error\":\"too narrow\"}'; sleep 600\n",
       "reports an error: too narrow");

@@ -317,7 +317,7 @@ class RunFromTest : public QObject {
     row("--from @/run@1 --duration 0.5", 2, "the run ends at 0.5 s, before 1 s");
     row("--from @/run@1 -o @/run", 2, "would be overwritten");
     row("--from @/foreign@1", 2, "no record of how the run was created");
-    row("--from @/older@1", 2, "not the input of the run any more");
+    row("--from @/older@1", 2, "no longer the input of the run");
     row("--from @/damaged@1", 2, "replay diverges from the recording at 0.5 s");
   }
   void wrong_isSaid() {

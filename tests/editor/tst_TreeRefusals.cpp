@@ -69,8 +69,8 @@ class TreeRefusalsTest : public QObject {
     const bt::TreeFile file = tree();
     QCOMPARE(editor::whyNotRemoved(file, {at({})}),
              text("A tree needs a root: replace it instead"));
-    QCOMPARE(editor::whyNotDuplicated(file, {at({})}), text("A tree has one root only"));
-    QCOMPARE(editor::whyNotUnwrapped(file, at({})), text("A tree has one root only"));
+    QCOMPARE(editor::whyNotDuplicated(file, {at({})}), text("A tree can have only one root"));
+    QCOMPARE(editor::whyNotUnwrapped(file, at({})), text("A tree can have only one root"));
     QCOMPARE(editor::whyNotUnwrapped(file, at({2, 0})), text("Always success has no children"));
     QCOMPARE(editor::whyNotExtracted(file, at({})), text("The root already has a tree of its own"));
     QCOMPARE(editor::whyNotMovedBy(file, at({}), 1), text("The root has no siblings"));
