@@ -58,7 +58,7 @@ std::string tuneHeadline(const app::TuneOptions& options, const app::TuneResult&
            " each: raise --runs, or take fewer scenarios, --seeds or --max-changes";
   }
   return "NO IMPROVEMENT FOUND: none of " + counted(result.candidates.size() - 1, "candidate") +
-         " was better than the present values";
+         " was better than the current values";
 }
 
 std::string tuneMethodText(const app::TuneOptions& options, const app::TuneResult& result) {
@@ -73,7 +73,7 @@ std::string tuneMethodText(const app::TuneOptions& options, const app::TuneResul
          "the largest effects in " +
          counted(static_cast<std::size_t>(result.generations), "generation") +
          ", starting at the best values so far. The score is the weighted mean of the objectives "
-         "relative to the present values, which were run with the same seeds; failures add to it, "
+         "relative to the current values, which were run with the same seeds; failures add to it, "
          "by the share of the distance that was left, and so do losses of more than " +
          percentText(options.maxLoss) +
          " and additional failures beyond a standard error. The last means of the CMA-ES and the "

@@ -248,13 +248,12 @@ Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& su
 
 Table tuneFrontTable(const app::TuneOptions& options, const app::TuneSubject& subject,
                      const app::TuneResult& result) {
-  Table table{
-      "front",
-      "Pareto-optimal candidates in the runs of the search (changes relative to the present values "
-      "with the same seeds). The best of many candidates is selected, so these values are "
-      "optimistic on average.",
-      {},
-      {}};
+  Table table{"front",
+              "Pareto-optimal candidates in the runs of the search (changes relative to the "
+              "current values with the same seeds). The best of many candidates is selected, so "
+              "these values are optimistic on average.",
+              {},
+              {}};
   addChangeColumns(options, table);
   table.columns.push_back({"Changed values", "", false});
   for (const TuneCandidate& candidate : result.candidates) {
@@ -311,7 +310,7 @@ std::optional<Figure> tuneFrontFigure(const app::TuneOptions& options,
   }
   figure.caption = options.objectives[0].name + " versus " + options.objectives[1].name +
                    " of the candidates that were run on all runs of the search, relative to the "
-                   "present values. The line connects the Pareto-optimal ones.";
+                   "current values. The line connects the Pareto-optimal ones.";
   return figure;
 }
 

@@ -380,7 +380,9 @@ void addRunOptions(CLI::App& command, RunSpec& spec) {
 }
 
 void addRunArguments(CLI::App& command, RunSpec& spec) {
-  command.add_option("scenario", spec.scenario, "Scenario file, or a name from list scenarios")
+  command
+      .add_option("scenario", spec.scenario,
+                  "Scenario file, or the name of a shipped scenario (hunavsim list scenarios)")
       ->transform(scenarioFile);
   for (const RunOption& option : kRunOptions) {
     addOption(command, option, spec);

@@ -10,7 +10,7 @@
 #include "app/run/Session.h"
 #include "sim2d/trace/ContactMarks.h"
 
-/// Last avoidable actions: until when robot and person could still have avoided a contact.
+/// Last avoidable actions: when robot and person could last have avoided a contact.
 ///
 /// An action is a manoeuvre of one of the two from an instant of the run on: a sequence of commands
 /// within the limits of the body (Manoeuvres.h). It is simulated in a copy of the process that is

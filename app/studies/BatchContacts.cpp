@@ -19,7 +19,7 @@ struct FinishedBatch {
   std::vector<std::size_t> runs;  // indices
 };
 
-/// Errors of input files that are not those of the batch any more; the experiment itself is stored.
+/// Errors of input files that are no longer those of the batch; the experiment itself is stored.
 base::Diagnostics changedFiles(const Study& study) {
   base::Diagnostics problems;
   for (std::size_t k = 1; k < study.inputs.size(); ++k) {

@@ -122,7 +122,7 @@ void Tuner::setBase(const TunedValues& values) {
 }
 
 base::Diagnostics Tuner::start() {
-  show("present values");
+  show("current values");
   firstRuns_ = newRuns(searchRuns());
   base::Diagnostics problems = measure({present_}, firstRuns_);
   if (problems.empty()) {

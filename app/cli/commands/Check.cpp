@@ -153,7 +153,8 @@ void addCheck(CommandRegistry& commands) {
   const auto [command, options] = commands.add(
       "check", "Validate scenarios, trees, maps, experiments and nav2_params.yaml files",
       checkCommand);
-  command.add_option("files", options.files, "Files, or names from list scenarios");
+  command.add_option("files", options.files,
+                     "Files, or names of shipped scenarios (hunavsim list scenarios)");
   command.add_option("--map", options.scenario.map,
                      "Map to use instead of the scenario's; none = open plane");
   command.add_option("--trees", options.scenario.trees, "Folder with the behaviour trees");

@@ -262,7 +262,7 @@ void addContacts(CommandRegistry& commands) {
   addJobs(command, options.report.jobs);
   commands.addExamples(
       command, {{"hunavsim contacts out --quick",
-                 "List until when each contact of a run could have been avoided, and by whom"},
+                 "Show when and by whom each contact of a run could last have been avoided"},
                 {"hunavsim contacts out -o contacts",
                  "Also write the tables and a picture of each contact"}});
 }

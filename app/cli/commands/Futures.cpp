@@ -175,8 +175,9 @@ void addFutures(CommandRegistry& commands) {
   command.add_option("moment", options.moment, "RUN@SECONDS: a recorded run and a time in it")
       ->required();
   command.add_option("--seeds", options.futures.count, "Number of simulated futures (default: 20)");
-  command.add_option("--seed", options.futures.seed,
-                     "Seed of the first future, increased by 1 for each next one (default: 1)");
+  command.add_option(
+      "--seed", options.futures.seed,
+      "Seed of the first future; each further future uses the next seed (default: 1)");
   command.add_option("--horizon", options.futures.horizon,
                      "Duration of each future [s] (default: 10)");
   command.add_option(

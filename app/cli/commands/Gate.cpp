@@ -162,7 +162,7 @@ void addGateRunOptions(CLI::App& command, GateArguments& arguments) {
       ->check(CLI::Range(1, 100000));
   command
       .add_option("--first-seed", arguments.firstSeed,
-                  "First seed; each pair of runs has the next one (default: 1)")
+                  "First seed; each further pair of runs uses the next seed (default: 1)")
       ->check(CLI::NonNegativeNumber);
   for (const char* name :
        {"duration", "stop-on-collision", "stuck-after", "model", "robot", "planner", "nav2-params",
@@ -183,8 +183,8 @@ void addGate(CommandRegistry& commands) {
   command.add_option("candidate", arguments.candidate, std::string("Candidate to test") + kSides)
       ->required();
   command.add_option("--scenarios", arguments.scenarios,
-                     "Scenario files, or names from list scenarios (of compared folders: names in "
-                     "them; default: all)");
+                     "Scenario files, or names of shipped scenarios (hunavsim list scenarios); for "
+                     "two folders: names of their scenarios (default: all)");
   command
       .add_option("--metric", arguments.metrics,
                   "KEY:MARGIN or KEY>NUMBER:MARGIN (share of runs above the number); margins with "

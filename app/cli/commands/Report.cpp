@@ -235,10 +235,10 @@ void addReport(CommandRegistry& commands) {
       .add_option("--resamples", options.studyOptions.resamples,
                   "Bootstrap resamples (default: 2000)")
       ->check(CLI::Range(100, 100000));
-  CLI::Option* const contacts = command.add_flag(
-      "--contacts", options.analysesContacts,
-      "Repeat the runs to analyse each contact: until when and by whom it could have been avoided, "
-      "and what the robots cost each person");
+  CLI::Option* const contacts =
+      command.add_flag("--contacts", options.analysesContacts,
+                       "Repeat the runs to analyse each contact: when and by whom it could last "
+                       "have been avoided, and what the robots cost each person");
   addJobs(command, options.jobs);
   command.get_option("--jobs")->needs(contacts);
   command.add_flag("--no-pdf", options.noPdf, "Write figures as SVG only");

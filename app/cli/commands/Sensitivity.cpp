@@ -197,7 +197,7 @@ void addSensitivity(CommandRegistry& commands) {
   addAllowCode(command, options.allowCode);
   CLI::Option* const resume = command.add_flag(
       "--resume", options.resume,
-      "Continue an interrupted analysis; of a finished one, only write the report again");
+      "Continue an interrupted analysis; if it is finished, only rewrite the report");
   command
       .add_flag("--force", options.force,
                 "Restart an interrupted analysis from the beginning; overwrite files that hunavsim "

@@ -100,7 +100,8 @@ void addServe(CommandRegistry& commands) {
   CLI::App& command = added.first;
   ServeOptions& options = added.second;
   command
-      .add_option("scenario", options.run.scenario, "Scenario file, or a name from list scenarios")
+      .add_option("scenario", options.run.scenario,
+                  "Scenario file, or the name of a shipped scenario (hunavsim list scenarios)")
       ->required()
       ->transform(scenarioFile);
   addRos2Options(command, options.ros2, "Provide the services of HuNavSim's nodes in ROS 2");

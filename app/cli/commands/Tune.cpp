@@ -198,8 +198,8 @@ void addTune(CommandRegistry& commands) {
                   "Parameter file of Nav2; or a scenario, to tune the planner of its first robot")
       ->required();
   command.add_option("--scenarios", arguments.scenarios,
-                     "Scenario files, or names from list scenarios (default for a scenario: "
-                     "itself)");
+                     "Scenario files, or names of shipped scenarios (hunavsim list scenarios); "
+                     "default when tuning a scenario: that scenario");
   command.add_option("--held-out", arguments.heldOut,
                      "Scenarios of the evaluation (default: those of the search, with other "
                      "seeds)");

@@ -157,7 +157,7 @@ void addVerify(CommandRegistry& commands) {
       ->check(CLI::NonNegativeNumber)
       ->excludes(sample);
   command.add_option("--seed", options.seed,
-                     "Seed of the choice of runs (default: a random one, which is printed)");
+                     "Seed for the selection of runs (default: a random seed, which is printed)");
   addJobs(command, options.jobs);
   addAllowCode(command, options.allowCode);
   commands.addExamples(
