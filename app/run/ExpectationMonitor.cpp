@@ -210,7 +210,7 @@ void ExpectationMonitor::observe(Item& item, const sim2d::Frame& frame) const {
   }
   if (expected.what == What::Leaves && expected.people == 0 &&
       hasEvent(item, item.subject, frame)) {
-    item.time = frame.time;  // who has left has no row any more
+    item.time = frame.time;  // people who left no longer have a row
     return;
   }
   for (std::size_t row = 0; row < frame.humans.size(); ++row) {

@@ -80,9 +80,9 @@ KeyRules::KeyRules(QMainWindow& window, Workspace& workspace)
 
 QStringList KeyRules::rules() {
   return {
-      tr("While you edit a text, the text field handles all keys that it uses; number fields do "
-         "not use Space. Enter accepts the text, Esc discards it; both return the keyboard focus "
-         "to the map. Ctrl+Z undoes typing only while an edit is not accepted."),
+      tr("While you edit text, the text field handles all keys that it uses; number fields do not "
+         "use Space. Enter accepts the text, Esc discards it; both return the keyboard focus to "
+         "the map. Ctrl+Z undoes typing only while an edit is not accepted."),
       tr("A list handles the keys that move in it, Space in rows with a check box, and Delete if "
          "its rows can be removed. Only in the scenario list does Delete remove the selection on "
          "the map."),

@@ -235,9 +235,9 @@ Control Parallel|Control|Runs all children in every time step until enough have 
 success_count int default -1|Number of successes after which the node succeeds; negative: counted from all children (-1: all).
 failure_count int default 1|Number of failures after which the node fails; negative: counted from all children (-1: all).
 Control ParallelAll|Control|Runs all children and ends when all are completed.
-max_failures int default 1|Number of failures from which the node fails.
-Control IfThenElse children 2 3|Control|The first child is the condition, run once; if it succeeds the second child is run, else the third.
-Control WhileDoElse children 2 3|Control|The first child is the condition, run in every time step; while it succeeds the second child is run, else the third.
+max_failures int default 1|Number of failures after which the node fails.
+Control IfThenElse children 2 3|Control|The first child is the condition, run once; if it succeeds, the second child is run, otherwise the third.
+Control WhileDoElse children 2 3|Control|The first child is the condition, run in every time step; while it succeeds, the second child is run, otherwise the third.
 Control Switch2 children 3 3|Control|Runs the child whose case equals the variable, for any other value the last child.
 variable text|Value that is compared.
 case_1 text needed|Value for which child 1 is run.

@@ -614,7 +614,7 @@
         <translation>Piernas</translation>
     </message>
     <message>
-        <source>The lidar sees people as two legs, else as discs</source>
+        <source>The lidar detects people as two legs instead of discs</source>
         <translation>El lidar ve a las personas como dos piernas; si no, como discos</translation>
     </message>
     <message>
@@ -714,7 +714,7 @@
         <translation>Velocidades</translation>
     </message>
     <message>
-        <source>Measured, or estimated from positions by a Kalman filter; absent: `filtered` with `noise`, else `measured`</source>
+        <source>Measured, or estimated from positions by a Kalman filter; absent: `filtered` with `noise`, otherwise `measured`</source>
         <translation>Medidas, o estimadas de las posiciones con un filtro de Kalman; si falta: `filtered` con `noise`, si no `measured`</translation>
     </message>
     <message>
@@ -822,7 +822,7 @@
         <translation>Rotación de un salto, en cualquier sentido</translation>
     </message>
     <message>
-        <source>Corrections of map -&gt; odom per second; 0: only the first one; absent: 2 with an error, else 0</source>
+        <source>Corrections of map -&gt; odom per second; 0: only the first one; absent: 2 with an error, otherwise 0</source>
         <translation>Correcciones de map -&gt; odom por segundo; 0: solo la primera; si falta: 2 con un error, si no 0</translation>
     </message>
     <message>
@@ -1294,7 +1294,7 @@
         <translation>Fuente</translation>
     </message>
     <message>
-        <source>Publication or standard that it is from</source>
+        <source>Publication or standard that the scenario is taken from</source>
         <translation>Publicación o norma de la que procede</translation>
     </message>
     <message>
@@ -1810,7 +1810,7 @@
         <translation>Alcance pared</translation>
     </message>
     <message>
-        <source>Gap to walls from which the cost is 0.</source>
+        <source>Gap to walls beyond which the cost is 0.</source>
         <translation>Distancia a las paredes a partir de la cual el coste es 0.</translation>
     </message>
     <message>
@@ -1826,7 +1826,7 @@
         <translation>Alcance persona</translation>
     </message>
     <message>
-        <source>Gap to a person from which the cost is 0.</source>
+        <source>Gap to a person beyond which the cost is 0.</source>
         <translation>Distancia a una persona a partir de la cual el coste es 0.</translation>
     </message>
     <message>
@@ -1846,7 +1846,7 @@
         <translation>Coste del contacto con una persona o un obstáculo a lo largo de toda la trayectoria.</translation>
     </message>
     <message>
-        <source>Cost of changing the speed at the limits of the drive all the time.</source>
+        <source>Cost of accelerating at the limits of the drive along the whole trajectory.</source>
         <translation>Coste de cambiar la velocidad en los límites de la tracción todo el tiempo.</translation>
     </message>
     <message>
@@ -2186,7 +2186,7 @@
         <translation>Va recto al objetivo y no evita nada: una referencia que ninguna prueba debería aceptar.</translation>
     </message>
     <message>
-        <source>Manual drive: stands until the user drives it. Ignores people.</source>
+        <source>Manual drive: stands still until the user drives it. Ignores people.</source>
         <translation>Conducción manual: parado hasta que el usuario lo conduce. Ignora a las personas.</translation>
     </message>
     <message>
@@ -2202,7 +2202,7 @@
         <translation>Tiempo tras la última orden después del cual el robot se detiene; 0: continúa.</translation>
     </message>
     <message>
-        <source>Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands.</source>
+        <source>Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands still.</source>
         <translation>Lo conduce el topic /cmd_vel de ROS 2 con run --ros2; si no, está parado.</translation>
     </message>
     <message>
@@ -2298,7 +2298,7 @@
         <translation>Peso pleno a</translation>
     </message>
     <message>
-        <source>Relative speed from which the force between people has full weight.</source>
+        <source>Relative speed above which the force between people has full weight.</source>
         <translation>Velocidad relativa a partir de la cual la fuerza entre personas tiene peso pleno.</translation>
     </message>
     <message>
@@ -3010,15 +3010,15 @@
         <translation>Ejecuta todos los hijos y termina cuando todos han terminado.</translation>
     </message>
     <message>
-        <source>Number of failures from which the node fails.</source>
+        <source>Number of failures after which the node fails.</source>
         <translation>Número de fallos a partir del cual el nodo falla.</translation>
     </message>
     <message>
-        <source>The first child is the condition, run once; if it succeeds the second child is run, else the third.</source>
+        <source>The first child is the condition, run once; if it succeeds, the second child is run, otherwise the third.</source>
         <translation>El primer hijo es la condición, que se ejecuta una vez; si tiene éxito se ejecuta el segundo hijo, si no el tercero.</translation>
     </message>
     <message>
-        <source>The first child is the condition, run in every time step; while it succeeds the second child is run, else the third.</source>
+        <source>The first child is the condition, run in every time step; while it succeeds, the second child is run, otherwise the third.</source>
         <translation>El primer hijo es la condición, que se ejecuta en cada paso; mientras tiene éxito se ejecuta el segundo hijo, si no el tercero.</translation>
     </message>
     <message>
@@ -3334,7 +3334,7 @@
         <translation>Todos los demás miembros del grupo de la persona están cerca; falla sin grupo.</translation>
     </message>
     <message>
-        <source>Stands until another person is near, also one who has not entered yet.</source>
+        <source>Stands until another person is near, including a person who has not entered yet.</source>
         <translation>Se queda quieta hasta que otra persona está cerca, también una que aún no ha entrado.</translation>
     </message>
     <message>
@@ -4773,7 +4773,7 @@
         <translation>Probabilidad en cada paso en que el bloque puede empezar</translation>
     </message>
     <message>
-        <source>Enter a text</source>
+        <source>Enter text</source>
         <translation>Escriba un texto</translation>
     </message>
     <message>
@@ -5157,7 +5157,7 @@
         <translation>%1 hijos</translation>
     </message>
     <message>
-        <source>A tree has one root only</source>
+        <source>A tree can have only one root</source>
         <translation>Un árbol solo tiene una raíz</translation>
     </message>
     <message>
@@ -6293,7 +6293,7 @@ Elegir qué muestra el mapa</translation>
         <translation>Doble clic en un par para reproducir la ejecución del candidato</translation>
     </message>
     <message>
-        <source>Runs in which only the candidate has no success, then the largest losses by metrics that are not passed. Double-click or Enter plays the run of the candidate, the context menu also that of the base.</source>
+        <source>Runs in which only the candidate fails, then the largest losses by metrics that are not passed. Double-click or Enter plays the run of the candidate, the context menu also that of the base.</source>
         <translation>Ejecuciones en las que solo el candidato no tiene éxito y, después, las mayores pérdidas en las métricas no superadas. Doble clic o Intro reproducen la ejecución del candidato; el menú contextual, también la de la base.</translation>
     </message>
     <message>
@@ -6352,7 +6352,7 @@ Elegir qué muestra el mapa</translation>
         <translation>Haga clic en la persona, luego en el objetivo, y pulse Intro.</translation>
     </message>
     <message>
-        <source>The goal is there; now assign it. Press %1 for the route tool, click the person, then the goal, then press Enter.</source>
+        <source>The goal is placed; now assign it. Press %1 for the route tool, click the person, then the goal, then press Enter.</source>
         <translation>El objetivo está puesto; ahora asígnelo. Pulse %1 para la herramienta de rutas, haga clic en la persona, luego en el objetivo, y pulse Intro.</translation>
     </message>
     <message>
@@ -6554,7 +6554,7 @@ Memoria para los pasos de una ejecución que la línea de tiempo puede mostrar. 
 <context>
     <name>app::KeyRules</name>
     <message>
-        <source>While you edit a text, the text field handles all keys that it uses; number fields do not use Space. Enter accepts the text, Esc discards it; both return the keyboard focus to the map. Ctrl+Z undoes typing only while an edit is not accepted.</source>
+        <source>While you edit text, the text field handles all keys that it uses; number fields do not use Space. Enter accepts the text, Esc discards it; both return the keyboard focus to the map. Ctrl+Z undoes typing only while an edit is not accepted.</source>
         <translation>Mientras edita un texto, el campo de texto recibe todas las teclas que usa; los campos numéricos no usan Espacio. Intro acepta el texto, Esc lo descarta; ambos devuelven el foco del teclado al mapa. Ctrl+Z deshace lo escrito solo mientras una edición no se ha aceptado.</translation>
     </message>
     <message>
@@ -6914,7 +6914,7 @@ El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el m
         <translation>No se encontró ninguna mejora: en ejecuciones nuevas el mejor candidato no es claramente mejor: %1</translation>
     </message>
     <message>
-        <source>No improvement found: none of %1 candidates was better than the present values</source>
+        <source>No improvement found: none of %1 candidates was better than the current values</source>
         <translation>No se encontró ninguna mejora: ninguno de %1 candidatos fue mejor que los valores actuales</translation>
     </message>
     <message>
@@ -8667,7 +8667,7 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Valores cambiados</translation>
     </message>
     <message>
-        <source>Pareto-optimal candidates in the runs of the search, relative to the present values. The best of many candidates is selected, so these values are optimistic on average.</source>
+        <source>Pareto-optimal candidates in the runs of the search, relative to the current values. The best of many candidates is selected, so these values are optimistic on average.</source>
         <translation>Candidatos óptimos de Pareto en las ejecuciones de la búsqueda, en relación con los valores actuales. Se elige el mejor de muchos candidatos, por lo que estos valores son optimistas en promedio.</translation>
     </message>
     <message>
@@ -8687,11 +8687,11 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>El archivo no ha cambiado.</translation>
     </message>
     <message>
-        <source>From the present file to the tuned one.</source>
+        <source>From the current file to the tuned one.</source>
         <translation>Del archivo actual al ajustado.</translation>
     </message>
     <message>
-        <source>From the present file to the best candidate, which is not used: the tuned file is unchanged.</source>
+        <source>From the current file to the best candidate, which is not used: the tuned file is unchanged.</source>
         <translation>Del archivo actual al mejor candidato, que no se usa: el archivo ajustado no ha cambiado.</translation>
     </message>
 </context>
@@ -11894,7 +11894,7 @@ Segundos simulados por segundo real</translation>
         <translation>termina la ejecución</translation>
     </message>
     <message>
-        <source>Choose the parameter file, and see and change all parameters</source>
+        <source>Choose the parameter file and view or change all parameters</source>
         <translation>Elegir el archivo de parámetros, y ver y cambiar todos los parámetros</translation>
     </message>
 </context>

@@ -614,7 +614,7 @@
         <translation>双腿</translation>
     </message>
     <message>
-        <source>The lidar sees people as two legs, else as discs</source>
+        <source>The lidar detects people as two legs instead of discs</source>
         <translation>激光雷达将行人视为双腿，否则视为圆盘</translation>
     </message>
     <message>
@@ -714,7 +714,7 @@
         <translation>速度</translation>
     </message>
     <message>
-        <source>Measured, or estimated from positions by a Kalman filter; absent: `filtered` with `noise`, else `measured`</source>
+        <source>Measured, or estimated from positions by a Kalman filter; absent: `filtered` with `noise`, otherwise `measured`</source>
         <translation>测量值，或用卡尔曼滤波器由位置估计；缺省：有 `noise` 时为 `filtered`，否则为 `measured`</translation>
     </message>
     <message>
@@ -822,7 +822,7 @@
         <translation>一次跳变的旋转，任意方向</translation>
     </message>
     <message>
-        <source>Corrections of map -&gt; odom per second; 0: only the first one; absent: 2 with an error, else 0</source>
+        <source>Corrections of map -&gt; odom per second; 0: only the first one; absent: 2 with an error, otherwise 0</source>
         <translation>map -&gt; odom 每秒修正次数；0：仅第一次；缺省：有误差时为 2，否则为 0</translation>
     </message>
     <message>
@@ -1294,7 +1294,7 @@
         <translation>来源</translation>
     </message>
     <message>
-        <source>Publication or standard that it is from</source>
+        <source>Publication or standard that the scenario is taken from</source>
         <translation>所依据的出版物或标准</translation>
     </message>
     <message>
@@ -1810,7 +1810,7 @@
         <translation>墙范围</translation>
     </message>
     <message>
-        <source>Gap to walls from which the cost is 0.</source>
+        <source>Gap to walls beyond which the cost is 0.</source>
         <translation>与墙的间距达到此值时代价为 0。</translation>
     </message>
     <message>
@@ -1826,7 +1826,7 @@
         <translation>行人范围</translation>
     </message>
     <message>
-        <source>Gap to a person from which the cost is 0.</source>
+        <source>Gap to a person beyond which the cost is 0.</source>
         <translation>与行人的间距达到此值时代价为 0。</translation>
     </message>
     <message>
@@ -1846,7 +1846,7 @@
         <translation>整条轨迹上与行人或障碍物接触的代价。</translation>
     </message>
     <message>
-        <source>Cost of changing the speed at the limits of the drive all the time.</source>
+        <source>Cost of accelerating at the limits of the drive along the whole trajectory.</source>
         <translation>始终以驱动极限改变速度的代价。</translation>
     </message>
     <message>
@@ -2186,7 +2186,7 @@
         <translation>直接驶向目标点且不避让任何物体：任何测试都不应接受的基准。</translation>
     </message>
     <message>
-        <source>Manual drive: stands until the user drives it. Ignores people.</source>
+        <source>Manual drive: stands still until the user drives it. Ignores people.</source>
         <translation>手动操控：在用户操控之前保持静止。忽略行人。</translation>
     </message>
     <message>
@@ -2202,7 +2202,7 @@
         <translation>最后一条指令后机器人停下的时间；0：继续。</translation>
     </message>
     <message>
-        <source>Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands.</source>
+        <source>Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands still.</source>
         <translation>使用 run --ros2 时由 ROS 2 话题 /cmd_vel 驱动；否则静止。</translation>
     </message>
     <message>
@@ -2298,7 +2298,7 @@
         <translation>全权重速度</translation>
     </message>
     <message>
-        <source>Relative speed from which the force between people has full weight.</source>
+        <source>Relative speed above which the force between people has full weight.</source>
         <translation>行人间的力达到全权重的相对速度。</translation>
     </message>
     <message>
@@ -3010,15 +3010,15 @@
         <translation>运行所有子节点，全部完成后结束。</translation>
     </message>
     <message>
-        <source>Number of failures from which the node fails.</source>
+        <source>Number of failures after which the node fails.</source>
         <translation>达到此失败数时节点失败。</translation>
     </message>
     <message>
-        <source>The first child is the condition, run once; if it succeeds the second child is run, else the third.</source>
+        <source>The first child is the condition, run once; if it succeeds, the second child is run, otherwise the third.</source>
         <translation>第一个子节点是条件，运行一次；若成功则运行第二个子节点，否则运行第三个。</translation>
     </message>
     <message>
-        <source>The first child is the condition, run in every time step; while it succeeds the second child is run, else the third.</source>
+        <source>The first child is the condition, run in every time step; while it succeeds, the second child is run, otherwise the third.</source>
         <translation>第一个子节点是条件，每个时间步运行；成功时运行第二个子节点，否则运行第三个。</translation>
     </message>
     <message>
@@ -3334,7 +3334,7 @@
         <translation>该行人群组的所有其他成员都在附近；没有群组则失败。</translation>
     </message>
     <message>
-        <source>Stands until another person is near, also one who has not entered yet.</source>
+        <source>Stands until another person is near, including a person who has not entered yet.</source>
         <translation>站立直到另一行人靠近，包括尚未进入的行人。</translation>
     </message>
     <message>
@@ -4773,7 +4773,7 @@
         <translation>行为块可启动的每个时间步中的概率</translation>
     </message>
     <message>
-        <source>Enter a text</source>
+        <source>Enter text</source>
         <translation>请输入文本</translation>
     </message>
     <message>
@@ -5157,7 +5157,7 @@
         <translation>%1 个子节点</translation>
     </message>
     <message>
-        <source>A tree has one root only</source>
+        <source>A tree can have only one root</source>
         <translation>一棵树只能有一个根节点</translation>
     </message>
     <message>
@@ -6293,7 +6293,7 @@ Choose what the map shows</source>
         <translation>双击一对可播放候选的运行</translation>
     </message>
     <message>
-        <source>Runs in which only the candidate has no success, then the largest losses by metrics that are not passed. Double-click or Enter plays the run of the candidate, the context menu also that of the base.</source>
+        <source>Runs in which only the candidate fails, then the largest losses by metrics that are not passed. Double-click or Enter plays the run of the candidate, the context menu also that of the base.</source>
         <translation>仅候选未成功的运行，其后是未通过指标中损失最大的运行。双击或 Enter 播放候选的运行，上下文菜单也可播放基准的运行。</translation>
     </message>
     <message>
@@ -6352,7 +6352,7 @@ Choose what the map shows</source>
         <translation>单击行人，再单击目标点，然后按 Enter。</translation>
     </message>
     <message>
-        <source>The goal is there; now assign it. Press %1 for the route tool, click the person, then the goal, then press Enter.</source>
+        <source>The goal is placed; now assign it. Press %1 for the route tool, click the person, then the goal, then press Enter.</source>
         <translation>目标点已放置；现在分配它。按 %1 选择路线工具，单击行人，再单击目标点，然后按 Enter。</translation>
     </message>
     <message>
@@ -6554,7 +6554,7 @@ Memory for the steps of a run that the timeline can show. 200 people need about 
 <context>
     <name>app::KeyRules</name>
     <message>
-        <source>While you edit a text, the text field handles all keys that it uses; number fields do not use Space. Enter accepts the text, Esc discards it; both return the keyboard focus to the map. Ctrl+Z undoes typing only while an edit is not accepted.</source>
+        <source>While you edit text, the text field handles all keys that it uses; number fields do not use Space. Enter accepts the text, Esc discards it; both return the keyboard focus to the map. Ctrl+Z undoes typing only while an edit is not accepted.</source>
         <translation>编辑文本时，文本字段处理它使用的所有按键；数字字段不使用空格键。Enter 接受文本，Esc 放弃文本；两者都会将键盘焦点返回地图。仅在编辑尚未被接受时，Ctrl+Z 才撤销输入。</translation>
     </message>
     <message>
@@ -6914,7 +6914,7 @@ The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manua
         <translation>未找到改进：在新的运行中最佳候选并无明显优势：%1</translation>
     </message>
     <message>
-        <source>No improvement found: none of %1 candidates was better than the present values</source>
+        <source>No improvement found: none of %1 candidates was better than the current values</source>
         <translation>未找到改进：%1 个候选均不优于当前值</translation>
     </message>
     <message>
@@ -8667,7 +8667,7 @@ For each seed, all planners run with the same people.</source>
         <translation>更改的值</translation>
     </message>
     <message>
-        <source>Pareto-optimal candidates in the runs of the search, relative to the present values. The best of many candidates is selected, so these values are optimistic on average.</source>
+        <source>Pareto-optimal candidates in the runs of the search, relative to the current values. The best of many candidates is selected, so these values are optimistic on average.</source>
         <translation>搜索运行中的帕累托最优候选，相对于当前值。由于从许多候选中选出最佳者，这些值平均而言偏乐观。</translation>
     </message>
     <message>
@@ -8687,11 +8687,11 @@ For each seed, all planners run with the same people.</source>
         <translation>文件未更改。</translation>
     </message>
     <message>
-        <source>From the present file to the tuned one.</source>
+        <source>From the current file to the tuned one.</source>
         <translation>从当前文件到调好的文件。</translation>
     </message>
     <message>
-        <source>From the present file to the best candidate, which is not used: the tuned file is unchanged.</source>
+        <source>From the current file to the best candidate, which is not used: the tuned file is unchanged.</source>
         <translation>从当前文件到最佳候选，后者未被采用：调好的文件没有更改。</translation>
     </message>
 </context>
@@ -11894,7 +11894,7 @@ Simulated seconds per real second</source>
         <translation>结束运行</translation>
     </message>
     <message>
-        <source>Choose the parameter file, and see and change all parameters</source>
+        <source>Choose the parameter file and view or change all parameters</source>
         <translation>选择参数文件，查看并更改所有参数</translation>
     </message>
 </context>

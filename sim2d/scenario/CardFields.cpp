@@ -64,7 +64,8 @@ Fields<ScenarioCard> cardFields() {
                "Metrics"),
       field("difficulty", &Card::difficulty, "Difficulty for the robot", {"Difficulty"})
           .words({"easy", "normal", "hard"}),
-      field("source", &Card::source, "Publication or standard that it is from", {"Source"}),
+      field("source", &Card::source, "Publication or standard that the scenario is taken from",
+            {"Source"}),
       field("licence", &Card::licence, "Licence of the scenario and its map", {"Licence"}),
       textList("expect", &Card::expect,
                "What happens in a run without robots, see below; `check --certify` tests it",

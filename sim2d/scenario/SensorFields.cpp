@@ -50,7 +50,7 @@ double usualCorrectionRate(const LocalizationSettings& of) {
 FieldBuilder<LocalizationSettings> correctionRateField() {
   return field("rate", &LocalizationSettings::rate,
                "Corrections of map -> odom per second; 0: only the first one; absent: 2 with an "
-               "error, else 0",
+               "error, otherwise 0",
                {{}, 4, 0.5}, "Hz", Range{0.0, kMaxPerSecond})
       .resolvedAt([](auto& of) -> auto& { return of.localization.rate; })
       .with(&Field<LocalizationSettings>::resolve,
@@ -77,7 +77,7 @@ void resolveVelocities(const DetectorSettings& from, ResolvedRobot& to,
 FieldBuilder<DetectorSettings> velocitiesField() {
   return field("velocities", &DetectorSettings::velocities,
                "Measured, or estimated from positions by a Kalman filter; absent: `filtered` with "
-               "`noise`, else `measured`",
+               "`noise`, otherwise `measured`",
                {"Velocities"})
       .words({"measured", "filtered"})
       .with(&Field<DetectorSettings>::resolve, resolveVelocities)
@@ -108,37 +108,38 @@ Fields<LidarSettings> lidarFields() {
   using Parameters = LidarParameters;
   const base::FormHints form{{}, 3};
   const NumberRows<Keys, Parameters> number{&ResolvedRobot::lidar, form, false};
-  return {field("beams", &Keys::beams,
-                "Number of beams per scan; 0: no lidar; absent, here and below: that of the robot "
-                "type",
-                {"Beams", 0, 1.0}, {}, {0.0, 60000.0})
-              .resolvedAt([](auto& of) -> auto& { return of.lidar.beams; }),
-          number("range", &Keys::range, &Parameters::range, "Maximum range", "m",
-                 {0.0, kLongestWay, true}),
-          number("rate", &Keys::rate, &Parameters::rate, "Scans per second", "Hz",
-                 {0.0, kMaxPerSecond, true}),
-          number("angle_min", &Keys::angleMin, &Parameters::angleMin, "Angle of the first beam",
-                 "rad", kAngle),
-          number("angle_max", &Keys::angleMax, &Parameters::angleMax,
-                 "Angle of the last beam; if it is a full turn after the first, the beams are "
-                 "spaced evenly",
-                 "rad", kAngle),
-          field("x", &Keys::x, "Position in the robot's frame: forward", form, "m",
-                base::kBodyOffsetRange)
-              .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.position.x(); }),
-          field("y", &Keys::y, "Position in the robot's frame: to the left", form, "m",
-                base::kBodyOffsetRange)
-              .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.position.y(); }),
-          field("h", &Keys::h, "Orientation in the robot's frame", form, "rad", kAngle)
-              .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.heading; })
-              .defaultsTo(0.0),
-          number("noise", &Keys::noise, &Parameters::noise,
-                 "Standard deviation of a measured distance", "m", kNoise),
-          field("legs", &Keys::legs, "The lidar sees people as two legs, else as discs", {"Legs"})
-              .resolvedAt([](auto& of) -> auto& { return of.lidar.legs; })
-              .defaultsTo(true),
-          field("record", &Keys::record, "Write each scan to `scans.csv`", {"Record"})
-              .resolvedTo(&ResolvedRobot::recordsScans)};
+  return {
+      field("beams", &Keys::beams,
+            "Number of beams per scan; 0: no lidar; absent, here and below: that of the robot "
+            "type",
+            {"Beams", 0, 1.0}, {}, {0.0, 60000.0})
+          .resolvedAt([](auto& of) -> auto& { return of.lidar.beams; }),
+      number("range", &Keys::range, &Parameters::range, "Maximum range", "m",
+             {0.0, kLongestWay, true}),
+      number("rate", &Keys::rate, &Parameters::rate, "Scans per second", "Hz",
+             {0.0, kMaxPerSecond, true}),
+      number("angle_min", &Keys::angleMin, &Parameters::angleMin, "Angle of the first beam", "rad",
+             kAngle),
+      number("angle_max", &Keys::angleMax, &Parameters::angleMax,
+             "Angle of the last beam; if it is a full turn after the first, the beams are "
+             "spaced evenly",
+             "rad", kAngle),
+      field("x", &Keys::x, "Position in the robot's frame: forward", form, "m",
+            base::kBodyOffsetRange)
+          .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.position.x(); }),
+      field("y", &Keys::y, "Position in the robot's frame: to the left", form, "m",
+            base::kBodyOffsetRange)
+          .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.position.y(); }),
+      field("h", &Keys::h, "Orientation in the robot's frame", form, "rad", kAngle)
+          .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.heading; })
+          .defaultsTo(0.0),
+      number("noise", &Keys::noise, &Parameters::noise, "Standard deviation of a measured distance",
+             "m", kNoise),
+      field("legs", &Keys::legs, "The lidar detects people as two legs instead of discs", {"Legs"})
+          .resolvedAt([](auto& of) -> auto& { return of.lidar.legs; })
+          .defaultsTo(true),
+      field("record", &Keys::record, "Write each scan to `scans.csv`", {"Record"})
+          .resolvedTo(&ResolvedRobot::recordsScans)};
 }
 
 Fields<DetectorSettings> detectorFields() {

@@ -246,7 +246,7 @@ base::ParameterTable<DensityParameters> densityTable() {
       .add(&P::coMovingWeight, "co_moving_weight", "", kShare,
            "Share of the force between people with equal velocities.")
       .add(&P::fullWeightAt, "full_weight_at", "m/s", base::kPositiveSpeed,
-           "Relative speed from which the force between people has full weight.")
+           "Relative speed above which the force between people has full weight.")
       .add(&P::intentShare, "intent_share", "", kShare,
            "Share of the desired velocity in the velocity that people react to.")
       .add(&P::laneFactor, "lane_factor", "m/s²", base::kWeight,

@@ -215,7 +215,7 @@ class OutcomeTracker {
     return reason;
   }
 
-  /// Names of the stuck robots if no robot can progress any more and not all have arrived.
+  /// Names of the stuck robots if no robot can progress further and not all have arrived.
   std::string standstill() const {
     std::string names;
     for (const RobotStatus& robot : world_.robotStatuses()) {

@@ -137,10 +137,10 @@ class GatePage : public OutputPage {
                 [this](int each) { play(each, true); });
     pairs_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(pairs_, &QWidget::customContextMenuRequested, this, &GatePage::showMenu);
-    return pageWithNote(pairs_, tr("Runs in which only the candidate has no success, then the "
-                                   "largest losses by metrics that are not passed. Double-click "
-                                   "or Enter plays the run of the candidate, the context menu "
-                                   "also that of the base."));
+    return pageWithNote(pairs_,
+                        tr("Runs in which only the candidate fails, then the largest losses by "
+                           "metrics that are not passed. Double-click or Enter plays the run of "
+                           "the candidate, the context menu also that of the base."));
   }
 
   void play(int row, bool candidate) {

@@ -266,9 +266,9 @@ class TunePage : public OutputPage {
       content = halves;
     }
     return pageWithNote(
-        content, tr("Pareto-optimal candidates in the runs of the search, "
-                    "relative to the present values. The best of many candidates is selected, so "
-                    "these values are optimistic on average."));
+        content,
+        tr("Pareto-optimal candidates in the runs of the search, relative to the current values. "
+           "The best of many candidates is selected, so these values are optimistic on average."));
   }
 
   void addCandidate(QTableWidget& table, std::size_t number) {
@@ -340,8 +340,8 @@ class TunePage : public OutputPage {
     text->setAccessibleName(tr("Changes"));
     new DiffColors(text->document(), place_.theme);
     return output_.verdict == TuneVerdict::Improved
-               ? pageWithNote(text, tr("From the present file to the tuned one."))
-               : pageWithNote(text, tr("From the present file to the best candidate, which is not "
+               ? pageWithNote(text, tr("From the current file to the tuned one."))
+               : pageWithNote(text, tr("From the current file to the best candidate, which is not "
                                        "used: the tuned file is unchanged."));
   }
 
@@ -372,8 +372,7 @@ QString tuneHeadline(const report::TuneOutput& output) {
     return OutputPage::tr("Nothing tried: the limit of runs (--runs) is too small");
   }
   return OutputPage::tr(
-             "No improvement found: none of %1 candidates was better than the present "
-             "values")
+             "No improvement found: none of %1 candidates was better than the current values")
       .arg(output.tried);
 }
 

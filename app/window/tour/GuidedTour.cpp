@@ -81,8 +81,8 @@ QString goalText(const TourState& state, const Workspace& workspace) {
   return state.isRouteTool
              ? GuidedTour::tr("Click the person, then the goal, then press Enter.")
              : GuidedTour::tr(
-                   "The goal is there; now assign it. Press %1 for the route tool, click "
-                   "the person, then the goal, then press Enter.")
+                   "The goal is placed; now assign it. Press %1 for the route tool, click the "
+                   "person, then the goal, then press Enter.")
                    .arg(shortcutOf(toolAction(workspace, QStringLiteral("tool-route"))));
 }
 

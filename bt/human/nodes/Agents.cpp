@@ -258,7 +258,7 @@ distance length default 2.0|Distance within which people are near.
 count int range 1 1000 default 3|Number of other people.
 Condition IsAgentGroupFormed own|Groups|All other members of the person's group are near; fails without a group.
 agent_id distance
-Action WaitForAgent own|People|Stands until another person is near, also one who has not entered yet.
+Action WaitForAgent own|People|Stands until another person is near, including a person who has not entered yet.
 agent_id
 target_agent_id int needed suggest 2|Id of the person to wait for.
 distance

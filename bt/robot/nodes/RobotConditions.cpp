@@ -245,7 +245,7 @@ NodeStatus goalNearby(LeafContext& leaf) {
 constexpr const char* kNodes = R"(
 Condition IsPathValid|Navigation|No obstacle of the global costmap is on the remaining path (until Kilted).
 path any needed suggest {path}|Path.
-max_cost int default 254|Cost from which a cell is an obstacle (since Kilted).
+max_cost int default 254|Minimum cost of an obstacle (since Kilted).
 consider_unknown_as_obstacle bool default false|Unknown cells are obstacles (since Kilted).
 server_timeout int default 20|No effect: the service responds immediately.
 Action ValidatePath|Navigation|No obstacle of the global costmap is on the remaining path (since Lyrical).

@@ -203,7 +203,7 @@ output_goals
 Action CheckPoseOccupancy|Navigation|Succeeds if a pose is free in the global costmap (since Lyrical).
 pose any needed suggest {goal}|Pose.
 service_name text default global_costmap/get_cost_global_costmap|Service that determines the costmap.
-cost_threshold number default 254.0|Cost from which the pose is occupied.
+cost_threshold number default 254.0|Minimum cost of an occupied pose.
 use_footprint bool default true|Checks the footprint of the robot, else the cell at the pose.
 consider_unknown_as_obstacle bool default false|Unknown cells are occupied.
 server_timeout

@@ -174,7 +174,7 @@ ValueRow rowOf(const bt::BlockParameter& parameter, const bt::Block& block,
   row.range = {parameter.min, parameter.max, 2, parameter.max - parameter.min > 30.0 ? 5.0 : 0.1};
   if (parameter.kind == Of::Text) {
     row.check = [](const QString& text) {
-      return text.trimmed().isEmpty() ? QObject::tr("Enter a text") : QString();
+      return text.trimmed().isEmpty() ? QObject::tr("Enter text") : QString();
     };
   }
   row.choices = choicesOf(parameter, document.scenario());

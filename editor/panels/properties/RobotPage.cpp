@@ -274,7 +274,7 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
 void RobotPage::addNav2Section() {
   FormSection* section = addSection(tr("Nav2 parameters"));
   QToolButton* open = linkButton(tr("Open Nav2 panel"),
-                                 tr("Choose the parameter file, and see and change all parameters"),
+                                 tr("Choose the parameter file and view or change all parameters"),
                                  this, [this] { Q_EMIT panelRequested(QStringLiteral("nav2")); });
   open->setObjectName(QStringLiteral("nav2_open"));
   section->addRow({}, open);

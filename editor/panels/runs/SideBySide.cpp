@@ -65,7 +65,7 @@ void SideView::setTitle(const QString& title) {
   }
 }
 
-/// Marks a run that has no states at this time any more.
+/// Marks a run that no longer has states at this time.
 void SideView::showEnd(double time) {
   const std::optional<double> end = endBefore(*recording_, time);
   title_->setText(end ? name_ + QStringLiteral(" · ") + tr("ended at %1 s").arg(tenthsText(*end))

@@ -53,7 +53,7 @@ class SideView : public QWidget {
   QWidget* veil_ = new QWidget(view_);  // Fades the view of a run that has ended.
 };
 
-/// The end of a recording that has no states at this time any more [s]; none: it has.
+/// The end of a recording that no longer has states at this time [s]; none: it still has states.
 std::optional<double> endBefore(const sim2d::Recording& recording, double time);
 
 /// The style of the title above a view of a run.

@@ -26,8 +26,8 @@ class LineChannel {
     Done,
     Timeout,         // the line was accepted, but no answer came
     NotRead,         // the line was not accepted completely
-    InputClosed,     // the peer does not read any more
-    OutputClosed,    // the peer does not write any more
+    InputClosed,     // the peer no longer reads
+    OutputClosed,    // the peer no longer writes
     Ended,           // the process has ended, but its output is held open
     TooLong,         // more than `kMaxLineLength` without a line ending
     UnexpectedLine,  // more than one line, or a line before ours was sent

@@ -49,17 +49,17 @@ void addCosts(MppiTable& table) {
       .add(&P::wall, "wall_weight", "", base::kWeight,
            "Cost of contact with a wall, decreasing quadratically to 0 at wall_range.")
       .add(&P::wallRange, "wall_range", "m", base::kLength,
-           "Gap to walls from which the cost is 0.")
+           "Gap to walls beyond which the cost is 0.")
       .add(&P::person, "person_weight", "", base::kWeight,
            "Cost of contact with a person, decreasing to 0 at person_range.")
       .add(&P::personRange, "person_range", "m", base::kLength,
-           "Gap to a person from which the cost is 0.")
+           "Gap to a person beyond which the cost is 0.")
       .add(&P::personMargin, "person_margin", "m", base::kDistance,
            "A smaller gap to a person counts as a contact.")
       .add(&P::hit, "contact_weight", "", base::kPositiveWeight,
            "Cost of contact with a person or an obstacle along the whole trajectory.")
       .add(&P::smoothness, "smoothness_weight", "", base::kWeight,
-           "Cost of changing the speed at the limits of the drive all the time.");
+           "Cost of accelerating at the limits of the drive along the whole trajectory.");
 }
 
 void addNearness(base::ParameterTable<SocialMppiParameters>& table) {

@@ -58,7 +58,7 @@ base::Result<PolicyModule> loadPolicyModule() {
   findModuleFunction(handle, "hunavsim_onnx_destroy", module.destroy);
   ::dlclose(handle);
   if (!module.isComplete()) {
-    return base::error("onnx.no-module", {file + " is of another version of this program"});
+    return base::error("onnx.no-module", {file + " belongs to another version of this program"});
   }
   return module;
 }

@@ -134,13 +134,13 @@ void addTeleop(PlannerRegistry& to) {
   to.add(
       "teleop", teleopTable().specs(),
       [](const PlannerSetup& setup) { return makeTeleop(setup, {}); },
-      "Manual drive: stands until the user drives it. Ignores people.");
+      "Manual drive: stands still until the user drives it. Ignores people.");
   TeleopParameters ros2Parameters;
   ros2Parameters.timeout = 1.0;  // same timeout as Nav2 drivers of /cmd_vel
   to.add(
       "ros2", teleopTable().specs(ros2Parameters),
       [ros2Parameters](const PlannerSetup& setup) { return makeTeleop(setup, ros2Parameters); },
-      "Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands.");
+      "Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands still.");
 }
 
 void TeleopInput::post(Command wish) {

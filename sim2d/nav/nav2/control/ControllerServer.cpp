@@ -380,7 +380,7 @@ const std::vector<Nav2Key<ControllerServerParameters>>& controllerServerKeys() {
       {"min_theta_velocity_threshold", &P::minThetaVelocity, "rad/s",
        "lower turn rates count as 0"},
       {"failure_tolerance", &P::failureTolerance, "s",
-       "maximum time without a valid command, during which the robot stands; 0: none, -1: "
+       "maximum time without a valid command, during which the robot stands still; 0: none, -1: "
        "unlimited"},
       {"costmap_update_timeout", &P::costmapUpdateTimeout, "s",
        "maximum wait for the costmap after it was cleared", kSinceJazzy},

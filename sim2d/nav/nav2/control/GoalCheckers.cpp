@@ -177,7 +177,7 @@ const std::vector<Nav2Key<GoalCheckerParameters>>& goalCheckerKeys() {
       {"xy_goal_tolerance", &P::xyTolerance, "m", "maximum distance to the goal"},
       {"yaw_goal_tolerance", &P::yawTolerance, "rad", "maximum heading difference to the goal"},
       {"stateful", &P::isStateful, "", "a reached position stays reached until a new path"},
-      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is accepted too"},
+      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is also accepted"},
       {"path_length_tolerance", &P::pathLengthTolerance, "m",
        "the goal is not reached while the remaining local path is longer", kSinceLyrical},
       {"rot_stopped_velocity", &P::rotStoppedVelocity, "rad/s",
@@ -213,7 +213,7 @@ const std::vector<Nav2Key<AdaptiveGoalParameters>>& adaptiveGoalKeys() {
       {"coarse_xy_goal_tolerance", &P::coarseTolerance, "m",
        "distance within which the goal is reached by a standing robot", kSinceLyrical},
       {"required_stagnation_cycles", &P::stagnationCycles, "",
-       "number of consecutive checks in which it must stand", kSinceLyrical},
+       "number of consecutive checks in which the robot must stand still", kSinceLyrical},
       {"yaw_goal_tolerance", &P::yawTolerance, "rad", "maximum heading difference to the goal",
        kSinceLyrical},
       {"path_length_tolerance", &P::pathLengthTolerance, "m",
@@ -224,7 +224,7 @@ const std::vector<Nav2Key<AdaptiveGoalParameters>>& adaptiveGoalKeys() {
        kSinceLyrical},
       {"stateful", &P::isStateful, "", "a reached position stays reached until a new path",
        kSinceLyrical},
-      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is accepted too",
+      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is also accepted",
        kSinceLyrical},
   };
   return kKeys;
@@ -337,7 +337,7 @@ const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys() {
       {"required_movement_radius", &P::movementRadius, "m",
        "radius that the robot must leave to make progress"},
       {"required_movement_angle", &P::movementAngle, "rad",
-       "a rotation by more than this is progress too (PoseProgressChecker)"},
+       "a rotation by more than this also counts as progress (PoseProgressChecker)"},
       {"movement_time_allowance", &P::movementTimeAllowance, "s",
        "maximum time without progress; longer is a failure"},
   };

@@ -119,8 +119,8 @@ const std::vector<Nav2Key<RotationShimParameters>>& rotationShimKeys() {
        "rotates only for new goals, not for new paths", kSinceJazzy},
       {"use_path_orientations", &P::usesPathOrientations, "",
        "the direction is the heading of the pose at that point", kSinceJazzy},
-      {"max_cost_threshold", &P::maxCost, "", "cost from which a rotation counts as a collision",
-       kJazzy | kSinceLyrical},
+      {"max_cost_threshold", &P::maxCost, "",
+       "minimum cost that counts as a collision during the rotation", kJazzy | kSinceLyrical},
   };
   return kKeys;
 }

@@ -61,7 +61,7 @@ Nav2Keys<CostmapParameters> costmapKeys() {
        "Frame of the costmap. The local costmap uses the odometry frame if its frame differs from "
        "that of the global one."},
       {"track_unknown_space", &P::trackUnknownSpace, "",
-       "Whether cells without data are unknown, else free."},
+       "Whether cells without data are unknown; otherwise they are free."},
       {"robot_radius", &P::robotRadius, "m", "Radius of a robot without a footprint."},
       {"footprint", &P::footprint, "m", "Corners of the robot's footprint: \"[[x, y], …]\"."},
       {"footprint_padding", &P::footprintPadding, "m", "Added to the corners on each axis."},
@@ -69,13 +69,13 @@ Nav2Keys<CostmapParameters> costmapKeys() {
       {"filters", &P::filters, "", "Names of the filters, applied after the layers."},
       {"unknown_cost_value", &P::unknownCostValue, "", "Occupancy that means unknown."},
       {"lethal_cost_threshold", &P::lethalCostThreshold, "",
-       "Occupancy from which a cell is an obstacle."},
+       "Minimum occupancy of an obstacle cell."},
       {"trinary_costmap", &P::trinaryCostmap, "",
-       "Whether lower occupancies are free, else their costs are proportional."},
+       "Whether lower occupancies are free; otherwise their costs are proportional."},
       {"inscribed_obstacle_cost_value", &P::inscribedObstacleCostValue, "",
        "Occupancy of a cell within the inscribed radius of an obstacle.", kSinceLyrical},
       {"use_maximum", &P::useMaximum, "",
-       "Whether the map only raises the costs of the layers below, else it overwrites them."},
+       "Whether the map only raises the costs of the layers below; otherwise it overwrites them."},
   };
 }
 
@@ -92,16 +92,17 @@ Nav2Keys<StaticLayerParameters> keysOf(const StaticLayerParameters&) {
 Nav2Keys<ObservationSource> observationSourceKeys() {
   using P = ObservationSource;
   return {
-      {"topic", &P::topic, "", "Topic of the scans: here always the robot's lidar."},
-      {"data_type", &P::dataType, "", "LaserScan or PointCloud2: here always the lidar's scan."},
+      {"topic", &P::topic, "", "Topic of the scans; this program uses the robot's lidar."},
+      {"data_type", &P::dataType, "",
+       "LaserScan or PointCloud2; this program uses the lidar's scan."},
       {"observation_persistence", &P::observationPersistence, "s",
        "Time for which a scan is used; 0: until the next one."},
       {"expected_update_rate", &P::expectedUpdateRate, "s",
-       "Age of a scan from which the costmap is stale; 0: never."},
+       "Age of a scan above which the costmap is stale; 0: never."},
       {"min_obstacle_height", &P::minObstacleHeight, "m", "Lower points are ignored."},
       {"max_obstacle_height", &P::maxObstacleHeight, "m", "Higher points are ignored."},
       {"inf_is_valid", &P::infIsValid, "",
-       "Whether beams without a hit clear cells, else they are ignored."},
+       "Whether beams without a hit clear cells; otherwise they are ignored."},
       {"marking", &P::marking, "", "Whether points become obstacles."},
       {"clearing", &P::clearing, "", "Whether beams clear the cells that they pass."},
       {"obstacle_max_range", &P::obstacleMaxRange, "m", "Farther points do not mark."},
@@ -130,13 +131,12 @@ Nav2Keys<VoxelLayerParameters> keysOf(const VoxelLayerParameters&) {
   using P = VoxelLayerParameters;
   return joinedKeys<P>(
       keysOf(ObstacleLayerParameters()),
-      Nav2Keys<P>{
-          {"origin_z", &P::originZ, "m", "Height of the lowest voxel."},
-          {"z_resolution", &P::zResolution, "m", "Height of a voxel."},
-          {"z_voxels", &P::zVoxels, "", "Number of voxels per column, at most 16."},
-          {"mark_threshold", &P::markThreshold, "",
-           "A column with more marked voxels is an obstacle; from 1 no column is one in this "
-           "program."}});
+      Nav2Keys<P>{{"origin_z", &P::originZ, "m", "Height of the lowest voxel."},
+                  {"z_resolution", &P::zResolution, "m", "Height of a voxel."},
+                  {"z_voxels", &P::zVoxels, "", "Number of voxels per column, at most 16."},
+                  {"mark_threshold", &P::markThreshold, "",
+                   "Columns with more marked voxels are obstacles; with 1 or more, the layer marks "
+                   "nothing in this program."}});
 }
 
 Nav2Keys<InflationLayerParameters> keysOf(const InflationLayerParameters&) {
@@ -150,7 +150,7 @@ Nav2Keys<InflationLayerParameters> keysOf(const InflationLayerParameters&) {
       {"inflate_around_unknown", &P::inflateAroundUnknown, "",
        "Whether unknown cells count as obstacles."},
       {"custom_inscribed_radius", &P::customInscribedRadius, "m",
-       "Inscribed radius, within which a collision is certain; below 0: that of the footprint.",
+       "Inscribed radius, within which a collision is certain; negative: that of the footprint.",
        kSinceLyrical},
   };
 }
@@ -194,7 +194,8 @@ Nav2Keys<SpeedFilterParameters> keysOf(const SpeedFilterParameters&) {
        "Limit for mask values from 0 to 100: base + multiplier * value. Key of this program."},
       {"mask_multiplier", &P::maskMultiplier, "", kMultiplier},
       {"mask_is_percentage", &P::maskIsPercentage, "",
-       "Whether the limit is in percent of the maximum speed, else in m/s. Key of this program."},
+       "Whether the limit is in percent of the maximum speed; otherwise it is in m/s. Key of this "
+       "program."},
   };
 }
 
@@ -279,7 +280,7 @@ Nav2Keys<DenoiseLayerParameters> keysOf(const DenoiseLayerParameters&) {
   return {
       {"enabled", &P::enabled, "", kEnabled},
       {"minimal_group_size", &P::minimalGroupSize, "",
-       "Smaller groups of obstacle cells are removed; up to 1: no groups."},
+       "Smaller groups of obstacle cells are removed; at most 1: none."},
       {"group_connectivity_type", &P::groupConnectivityType, "",
        "Neighbours that form a group: 4 or 8."},
   };
@@ -308,7 +309,7 @@ Nav2Keys<RangeSensorLayerParameters> keysOf(const RangeSensorLayerParameters&) {
 Nav2Keys<SpatioTemporalVoxelSource> spatioTemporalVoxelSourceKeys() {
   using P = SpatioTemporalVoxelSource;
   return {
-      {"topic", &P::topic, "", "Topic of the points: here always the robot's lidar."},
+      {"topic", &P::topic, "", "Topic of the points; this program uses the robot's lidar."},
       {"enabled", &P::enabled, "", "Whether the source is enabled."},
       {"marking", &P::marking, "", "Whether points become obstacles."},
       {"clearing", &P::clearing, "", "Whether voxels decay faster in its field of view."},
@@ -316,7 +317,7 @@ Nav2Keys<SpatioTemporalVoxelSource> spatioTemporalVoxelSourceKeys() {
       {"observation_persistence", &P::observationPersistence, "s",
        "Time for which a scan is used; 0: until the next one."},
       {"expected_update_rate", &P::expectedUpdateRate, "s",
-       "Age of a scan from which the costmap is stale; 0: never."},
+       "Age of a scan above which the costmap is stale; 0: never."},
       {"min_obstacle_height", &P::minObstacleHeight, "m", "Lower points are ignored."},
       {"max_obstacle_height", &P::maxObstacleHeight, "m", "Higher points are ignored."},
       {"obstacle_range", &P::obstacleRange, "m", "Farther points do not mark."},

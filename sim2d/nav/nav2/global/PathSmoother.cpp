@@ -75,7 +75,7 @@ Nav2Keys<ConstrainedSmootherParameters> keysOf(const ConstrainedSmootherParamete
       {"reversing_enabled", &P::reversingEnabled, "",
        "poses whose heading opposes the motion are driven backwards"},
       {"path_downsampling_factor", &P::pathDownsamplingFactor, "",
-       "one of this number of poses is optimized"},
+       "one in this many poses is optimized"},
       {"path_upsampling_factor", &P::pathUpsamplingFactor, "",
        "number of poses in the result per optimized pose"},
       {"keep_goal_orientation", &P::keepGoalOrientation, "", "keeps the heading of the last pose"},

@@ -53,13 +53,13 @@ const std::vector<Nav2Key<MppiSettings>>& mppiKeys() {
        "smaller values give more weight to the trajectories with the lowest cost"},
       {"gamma", &P::gamma, "", "larger values keep the controls closer to the last sequence"},
       {"vx_max", &P::vxMax, "m/s", "maximum forward speed"},
-      {"vx_min", &P::vxMin, "m/s", "minimum speed; below 0: backwards"},
+      {"vx_min", &P::vxMin, "m/s", "minimum speed; negative: backwards"},
       {"vy_max", &P::vyMax, "m/s", "maximum lateral speed (Omni)"},
       {"wz_max", &P::wzMax, "rad/s", "maximum turn rate"},
       {"ax_max", &P::axMax, "m/s²", "maximum forward acceleration", kSinceJazzy},
-      {"ax_min", &P::axMin, "m/s²", "maximum deceleration, below 0", kSinceJazzy},
+      {"ax_min", &P::axMin, "m/s²", "maximum deceleration, negative", kSinceJazzy},
       {"ay_max", &P::ayMax, "m/s²", "maximum lateral acceleration", kSinceJazzy},
-      {"ay_min", &P::ayMin, "m/s²", "maximum lateral deceleration, below 0", kSinceJazzy},
+      {"ay_min", &P::ayMin, "m/s²", "maximum lateral deceleration, negative", kSinceJazzy},
       {"az_max", &P::azMax, "rad/s²", "maximum angular acceleration", kSinceJazzy},
       {"vx_std", &P::vxStd, "m/s", "standard deviation of the noise on the forward speed"},
       {"vy_std", &P::vyStd, "m/s", "standard deviation of the noise on the lateral speed (Omni)"},
@@ -160,7 +160,7 @@ std::vector<Nav2Key<CostSettings>> keysOf(const CostSettings& /*critic*/) {
       {"collision_cost", &P::collisionCost, "", "cost of a trajectory that collides"},
       {"near_goal_distance", &P::nearGoalDistance, "m",
        "distance to the goal within which costs are ignored"},
-      {"near_collision_cost", &P::nearCollisionCost, "", "cell cost from which a pose is critical",
+      {"near_collision_cost", &P::nearCollisionCost, "", "minimum cell cost of a critical pose",
        kSinceJazzy},
       {"consider_footprint", &P::considersFootprint, "", kFootprint},
       {"trajectory_point_step", &P::pointStep, "", "step between evaluated poses", kSinceJazzy},
@@ -196,7 +196,7 @@ std::vector<Nav2Key<GoalAngleSettings>> keysOf(const GoalAngleSettings& /*critic
   using P = GoalAngleSettings;
   return criticKeys<P>({
       {"threshold_to_consider", &P::threshold, "m", kOnceNear},
-      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is accepted too"},
+      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is also accepted"},
   });
 }
 
@@ -205,7 +205,7 @@ std::vector<Nav2Key<PathAlignSettings>> keysOf(const PathAlignSettings& /*critic
   return criticKeys<P>({
       {"threshold_to_consider", &P::threshold, "m", kUntilNear},
       {"offset_from_furthest", &P::offsetFromFurthest, "",
-       "number of reached path points from which the critic is active"},
+       "minimum number of reached path points for the critic to be active"},
       {"trajectory_point_step", &P::pointStep, "", "step between evaluated poses"},
       {"max_path_occupancy_ratio", &P::maxPathOccupancyRatio, "",
        "share of the blocked path above which the critic is inactive"},

@@ -73,10 +73,10 @@ Nav2Keys<PenaltyScorerParameters> keysOf(const PenaltyScorerParameters&) {
 Nav2Keys<CostmapScorerParameters> keysOf(const CostmapScorerParameters&) {
   using P = CostmapScorerParameters;
   return {
-      {"use_maximum", &P::useMaximum, "", "Uses the maximum cost on the edge, else the mean"},
+      {"use_maximum", &P::useMaximum, "", "Uses the maximum cost on the edge instead of the mean"},
       {"invalid_on_collision", &P::invalidOnCollision, "", "Edges with a collision are not used"},
       {"invalid_off_map", &P::invalidOffMap, "", "Edges outside the map are not used"},
-      {"max_cost", &P::maxCost, "", "Cost from which a cell is in collision"},
+      {"max_cost", &P::maxCost, "", "Minimum cost of a cell in collision"},
       {"check_resolution", &P::checkResolution, "", "Step between checked cells"},
       {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"},
       {"weight", &P::weight, "", "Weight of this cost"}};
@@ -111,12 +111,12 @@ Nav2Keys<AdjustSpeedLimitParameters> keysOf(const AdjustSpeedLimitParameters&) {
 Nav2Keys<RouteCollisionParameters> keysOf(const RouteCollisionParameters&) {
   using P = RouteCollisionParameters;
   return {{"rate", &P::rate, "Hz", "Rate of the checks"},
-          {"max_cost", &P::maxCost, "", "Cost from which a cell is in collision"},
+          {"max_cost", &P::maxCost, "", "Minimum cost of a cell in collision"},
           {"check_resolution", &P::checkResolution, "", "Step between checked cells"},
           {"max_collision_dist", &P::maxCollisionDist, "m",
            "Length of the route ahead that is checked"},
           {"reroute_on_collision", &P::rerouteOnCollision, "",
-           "Computes another route, else the operation fails"},
+           "Computes another route; otherwise the operation fails"},
           {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"}};
 }
 

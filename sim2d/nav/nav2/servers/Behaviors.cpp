@@ -319,7 +319,7 @@ Nav2Keys<WaypointTaskParameters> waypointTaskKeys(WaypointTask task) {
   Nav2Keys<P> keys = {{"enabled", &P::enabled, "", "Whether the task is executed."}};
   if (task == WaypointTask::Wait) {
     keys.push_back({"waypoint_pause_duration", &P::pauseDuration, "ms",
-                    "Time for which the robot stands at the goal."});
+                    "Time for which the robot waits at the goal."});
   } else if (task != WaypointTask::Photo) {
     keys.push_back({"timeout", &P::inputTimeout, "s", "Maximum wait for an input."});
   }

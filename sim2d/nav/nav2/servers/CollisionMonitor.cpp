@@ -117,7 +117,7 @@ Nav2Keys<CollisionMonitorParameters> collisionMonitorKeys() {
   return {
       {"enabled", &P::enabled, "", "Whether the node limits commands.", kSinceLyrical},
       {"source_timeout", &P::sourceTimeout, "s",
-       "Age from which a scan is ignored; since Jazzy the robot then stops; 0: it does not stop."},
+       "Age above which a scan is ignored; since Jazzy the robot then stops; 0: it does not stop."},
       {"polygons", &P::polygons, "", "Names of the polygons, in the order of evaluation."},
       {"observation_sources", &P::observationSources, "", "Names of the sources."},
   };
@@ -143,7 +143,7 @@ Nav2Keys<MonitorPolygon> monitorPolygonKeys() {
       {"simulation_time_step", &P::simulationTimeStep, "s",
        "Approach: time step of that simulation."},
       {"footprint_topic", &P::footprintTopic, "",
-       "Topic of the footprint: here always that of the robot."},
+       "Topic of the footprint; this program uses the robot's footprint."},
       {"enabled", &P::enabled, "", "Whether the polygon is evaluated."},
       {"holonomic", &P::holonomic, "", "Whether directions of motion are used.", kSinceJazzy},
       {"velocity_polygons", &P::velocityPolygons, "", "Names of its sub-polygons.", kSinceJazzy},
@@ -168,7 +168,7 @@ Nav2Keys<VelocitySubPolygon> velocitySubPolygonKeys() {
 Nav2Keys<MonitorSource> monitorSourceKeys() {
   using P = MonitorSource;
   return {
-      {"type", &P::type, "", "scan, pointcloud, range: here always the robot's lidar."},
+      {"type", &P::type, "", "scan, pointcloud or range; this program uses the robot's lidar."},
       {"enabled", &P::enabled, "", "Whether the source is used."},
       {"source_timeout", &P::sourceTimeout, "s",
        "Replaces source_timeout of the node for this source.", kSinceJazzy},
