@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "app/report/ContactTables.h"
@@ -163,6 +165,38 @@ class PageBuilder {
     }
     if (!findings.empty()) {
       notes_ += element("ul", "", "\n" + findings) + "\n";
+    }
+    writeInputWarnings();
+  }
+
+  /// Lists the warnings for the inputs: of each kind the first, with the number of all.
+  void writeInputWarnings() {
+    constexpr std::size_t kMostKinds = 8;
+    std::map<std::string_view, std::size_t> counts;
+    for (const base::Diagnostic& problem : study_.inputWarnings) {
+      ++counts[problem.code];
+    }
+    std::string items;
+    std::set<std::string_view> listed;
+    for (const base::Diagnostic& problem : study_.inputWarnings) {
+      if (listed.size() < kMostKinds && listed.insert(problem.code).second) {
+        const std::size_t more = counts[problem.code] - 1;
+        items += element("li", "",
+                         escaped(problem.text()) +
+                             (more > 0 ? " (and " + std::to_string(more) + " of the same kind)"
+                                       : std::string())) +
+                 "\n";
+      }
+    }
+    if (!items.empty()) {
+      notes_ += paragraph("The inputs of this study have " +
+                              counted(study_.inputWarnings.size(), "warning") +
+                              (counts.size() > kMostKinds
+                                   ? " of " + std::to_string(counts.size()) + " kinds, the first " +
+                                         std::to_string(kMostKinds) + ":"
+                                   : std::string(":")),
+                          " class=\"warning\"") +
+                element("ul", "", "\n" + items) + "\n";
     }
   }
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/Experiment.h"
+#include "app/run/ExperimentRunner.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/ResultRow.h"
 #include "sim2d/base/JsonText.h"
@@ -180,9 +181,23 @@ std::string textIn(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Reads the `run` options of the experiment, if the file is unchanged. Returns the errors if it
-/// exists but cannot be read.
-base::Diagnostics readRunOptions(Study& study) {
+/// Collects the warnings of `check` for the experiment and its scenarios, without those of files
+/// that were changed after the runs.
+void findInputWarnings(const base::Result<app::Experiment>& experiment,
+                       const sim2d::ImageLoader& loader, Study& study) {
+  base::Diagnostics found = experiment.diagnostics();
+  base::append(found, app::ExperimentRunner(*experiment, {}, loader).warnings());
+  for (base::Diagnostic& problem : found) {
+    const auto& changed = study.changedInputs;
+    if (std::find(changed.begin(), changed.end(), problem.file) == changed.end()) {
+      study.inputWarnings.push_back(std::move(problem));
+    }
+  }
+}
+
+/// Reads the `run` options and the warnings of the experiment, if the file is unchanged. Returns
+/// the errors if it exists but cannot be read.
+base::Diagnostics readExperimentOf(const sim2d::ImageLoader& loader, Study& study) {
   std::error_code gone;
   if (study.inputs.empty() || !fs::exists(study.inputs.front().path, gone)) {
     return {};
@@ -203,6 +218,9 @@ base::Diagnostics readRunOptions(Study& study) {
   study.hasRunOptions = true;
   const std::vector<std::string> words = app::commandLineOf(experiment->common);
   study.runOptions.assign(words.begin() + 1, words.end());  // without `run`
+  if (loader) {
+    findInputWarnings(experiment, loader, study);
+  }
   return {};
 }
 
@@ -410,7 +428,7 @@ base::Result<Study> readStudy(const StudyOptions& studyOptions) {
   }
   study.resultsHash = app::sha256Of(*text);
   base::append(problems, findChangedInputs(study));
-  for (base::Diagnostic& problem : readRunOptions(study)) {
+  for (base::Diagnostic& problem : readExperimentOf(studyOptions.loader, study)) {
     problem.severity = base::Severity::Warning;
     problems.push_back(std::move(problem));
     study.isExperimentUnreadable = true;

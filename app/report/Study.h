@@ -11,6 +11,7 @@
 #include "app/run/TreeCoverage.h"
 #include "app/studies/ContactReport.h"
 #include "sim2d/base/Result.h"
+#include "sim2d/map/MapReader.h"
 
 namespace report {
 
@@ -50,6 +51,7 @@ struct StudyOptions {
   std::vector<std::pair<std::string, double>> weights;  // of the composite; empty: none
   double level = 0.95;                                  // confidence level
   int resamples = 2000;                                 // bootstrap resamples
+  sim2d::ImageLoader loader;  // of map images, to check the inputs; empty: they are not checked
 };
 
 /// A metric.
@@ -82,6 +84,7 @@ struct Study {
   std::string version, commit, resultsHash;
   std::vector<app::InputHash> inputs;
   std::vector<std::string> changedInputs;  // paths of those with other content than in the runs
+  base::Diagnostics inputWarnings;         // those of `check` for the unchanged inputs
   std::vector<std::string> drawn;          // value paths drawn per scenario and seed
   std::string shard;                       // "1/3"; empty: complete study
   bool allowsCode = false;

@@ -62,6 +62,23 @@ base::Diagnostics ExperimentRunner::check(base::Severity codeSeverity, Checked c
   return problems;
 }
 
+base::Diagnostics ExperimentRunner::warnings() {
+  base::Diagnostics found;
+  const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
+  for (std::size_t k = 0; k < experiment_.scenarios.size(); ++k) {
+    const Verdict verdict = app::check(reader_.readToCheck(experiment_.specOf(k * runs)));
+    for (const auto* const list :
+         {&verdict.wrongOptions, &verdict.problems, &verdict.worldRemarks}) {
+      for (const base::Diagnostic& problem : newDiagnostics(found, *list)) {
+        if (problem.severity == base::Severity::Warning) {
+          found.push_back(problem);
+        }
+      }
+    }
+  }
+  return found;
+}
+
 std::string ExperimentRunner::folderOf(std::size_t run) const {
   return (std::filesystem::path(runsFolder_) / std::to_string(run)).string();
 }

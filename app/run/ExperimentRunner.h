@@ -29,6 +29,9 @@ class ExperimentRunner {
   /// allowed, programs that would have to be started.
   base::Diagnostics check(base::Severity codeSeverity = base::Severity::Error,
                           Checked checked = Checked::AllOptions);
+  /// The warnings of `check` for the files of the first run of each scenario, each once. Problems
+  /// that are errors are those of check().
+  base::Diagnostics warnings();
   /// Files that the first runs of the scenarios use, each once; known after check().
   const std::vector<InputHash>& inputs() const { return reader_.inputs(); }
 

@@ -445,6 +445,25 @@ class ReportProgramTest : public QObject {
     QVERIFY2(!elsewhere.err.contains(text("was changed after")), qPrintable(elsewhere.err));
   }
 
+  /// Who reads the page has not seen what `check` says of its scenarios.
+  void report_warningsOfTheInputs_areListedWithTheirNumber() {
+    const StudyFolder folder;
+    const QString out = folder.path(text("out"));
+    writeText(folder.path(text("yard.yaml")),
+              QByteArray(kYardText).replace("goal_radius: 0.3", "goal_radius: 40.0"));
+    const Finished checked = runProgram({text("check"), folder.path(text("yard.yaml"))});
+    QCOMPARE(checked.err.count(text("goal_radius 40 is implausible")), 2);
+    const QString study = folder.writeStudy("study.yaml", "seeds: 1\nduration: 3.0\n");
+    QCOMPARE(failureOf(StudyFolder::words(study, out)), QString());
+    const Finished done = report(out, {text("--no-pdf")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QByteArray page = bytesOf(out + text("/report.html"));
+    const QStringList items = textsOf(page, "li").filter(text("is implausible"));
+    QVERIFY2(items.size() == 1 && items.front().endsWith(text("(and 1 of the same kind)")),
+             qPrintable(items.join(text("|"))));
+    QVERIFY(!textsOf(page, "p").filter(text("The inputs of this study have ")).isEmpty());
+  }
+
   void report_missingManifest_isAWarning() {
     const ResultsFolder folder;
     QVERIFY(QFile::remove(folder.filePath(text("manifest.json"))));

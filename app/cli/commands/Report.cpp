@@ -171,6 +171,7 @@ void warnOfConstantCells(const report::Study& study) {
 
 int reportCommand(const ReportOptions& options, const Invocation& given) {
   report::StudyOptions studyOptions = options.studyOptions;
+  studyOptions.loader = loadMapImage;
   requireFine(parseReportOptions(options, studyOptions), ExitWrongCommandLine);
   requireFine(checkBatchFinished(studyOptions.folder));
   Progress progress(given.quiet || given.json);
