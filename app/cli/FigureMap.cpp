@@ -219,8 +219,7 @@ editor::Look FigureMap::lookOf(int id) const {
     return editor::Look::CustomTree;
   }
   const sim2d::TraceHuman* const human = trace_.header.human(id);
-  return human != nullptr ? editor::lookOf(static_cast<sim2d::BehaviorType>(human->behavior))
-                          : editor::Look::Regular;
+  return human != nullptr ? editor::lookOf(*human) : editor::Look::Regular;
 }
 QColor FigureMap::colorOf(int id) const {
   return id < 0 ? theme_.color(Role::RobotLine) : theme_.line(lookOf(id));

@@ -31,7 +31,7 @@ struct FigureOptions {
   double timeMarks = 0.0;     // [s] between two marks on trajectories; 0: none
   bool names = true;          // below the bodies
   bool isDark = false;        // in the colours of the dark theme
-  std::set<int> customTrees;  // ids of people with custom trees, which traces do not contain
+  std::set<int> customTrees;  // further people with custom trees, by id: older traces lack them
 };
 
 /// The layout of a figure. Pixels are those of CSS, 96 per inch.

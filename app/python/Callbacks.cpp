@@ -194,6 +194,9 @@ class PythonBehavior : public sim2d::HumanBehavior {
     }
   }
   void takeTreeChanges(sim2d::TreeChanges& changes) override { trees_->takeTreeChanges(changes); }
+  bool hasCustomTree(int human, const sim2d::WorldView& view) const override {
+    return trees_->hasCustomTree(human, view);
+  }
   std::vector<base::TreeResults> treeResults() const override { return trees_->treeResults(); }
   void takeDiagnostics(base::Diagnostics& found) override { trees_->takeDiagnostics(found); }
   std::vector<std::pair<std::string, std::string>> blackboard(int human) const override {

@@ -56,6 +56,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+constexpr int kCustomTreeLook = 7;  // after the six behaviours; the colour --p7 of report.css
+
 int centimetres(double metres) {
   return static_cast<int>(std::lround(100.0 * metres));
 }
@@ -125,7 +127,7 @@ OrderedJson bodiesJson(const sim2d::TraceHeader& header,
     OrderedJson body = {{"id", id}, {"name", std::to_string(id)}, {"look", 1}, {"r", 35}};
     if (const sim2d::TraceHuman* human = header.human(id)) {
       body["name"] = human->name;
-      body["look"] = human->behavior;
+      body["look"] = human->customTree ? kCustomTreeLook : human->behavior;
       body["r"] = centimetres(human->radius);
     }
     for (const sim2d::TraceRobot& robot : header.robots) {

@@ -183,6 +183,10 @@ class TreeBehavior final : public sim2d::HumanBehavior {
     found = std::move(society_.pendingDiagnostics);
     society_.pendingDiagnostics.clear();
   }
+  bool hasCustomTree(int human, const WorldView& view) const override {
+    const AgentPrograms::Entry* const entry = entryOf(human, view);
+    return entry != nullptr && entry->isCustom;
+  }
   std::vector<std::pair<std::string, std::string>> blackboard(int human) const override;
   std::string setBlackboardEntry(int human, const std::string& key,
                                  const std::string& text) override;
@@ -194,6 +198,7 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   }
 
  private:
+  const AgentPrograms::Entry* entryOf(int human, const WorldView& view) const;
   void grow(int count);
   void orderById(const WorldView& view);
   void tick(int human, const WorldView& view, Intents& intents);
@@ -215,6 +220,13 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   Breakpoints breakpoints_;
 };
 
+/// Null if there is no program for the person; a copy has that of its original.
+const AgentPrograms::Entry* TreeBehavior::entryOf(int human, const WorldView& view) const {
+  const AgentPrograms::Entry* const own = programs_.find(view.constants(human));
+  const int original = view.copiedFrom(human);
+  return own == nullptr && original >= 0 ? programs_.find(view.constants(original)) : own;
+}
+
 void TreeBehavior::grow(int count) {
   const auto size = static_cast<std::size_t>(count);
   if (agentTrees_.size() < size) {
@@ -228,10 +240,8 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   grow(std::max(view.humanCount(), human + 1));
   const sim2d::ResolvedHuman& constants = view.constants(human);
   AgentTree& who = player(human);
-  who.program = programs_.find(constants);
-  if (who.program == nullptr && view.copiedFrom(human) >= 0) {
-    who.program = programs_.find(view.constants(view.copiedFrom(human)));
-  }
+  const AgentPrograms::Entry* const entry = entryOf(human, view);
+  who.program = entry != nullptr ? entry->program.get() : nullptr;
   AgentState& agentState = society_.agentStates[static_cast<std::size_t>(human)];
   const int visit = agentState.visit + 1;
   if (who.tree && who.isTicking && !who.isFaulty) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bt/human/GeneratedStyle.h"
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeGenerator.h"
 #include "bt/tree/NodeCatalogue.h"
@@ -122,15 +123,15 @@ TreeState AgentProgram::start(const ResolvedHuman& human) const {
   return state;
 }
 
-const AgentProgram* AgentPrograms::find(const ResolvedHuman& person) const {
+const AgentPrograms::Entry* AgentPrograms::find(const ResolvedHuman& person) const {
   const auto own = std::lower_bound(byAgentId.begin(), byAgentId.end(), person.id,
                                     [](const auto& each, int id) { return each.first < id; });
   if (own != byAgentId.end() && own->first == person.id) {
-    return own->second.get();
+    return &own->second;
   }
   // Names of people from a source end in "_" and a number.
   const auto source = bySourceArea.find(person.name.substr(0, person.name.rfind('_')));
-  return source != bySourceArea.end() ? source->second.get() : nullptr;
+  return source != bySourceArea.end() ? &source->second : nullptr;
 }
 
 base::Result<TreeTable> loadAgentTrees(base::Result<TreeFile> file) {
@@ -263,12 +264,24 @@ const LoadedTree& TreeLoader::look(const std::string& text, const std::string& p
   return loaded;
 }
 
+/// A file in one of the generator's styles, as the window saves it, is no custom tree.
+AgentPrograms::Entry TreeLoader::entryOf(const sim2d::Human& human, const TreeFiles& files,
+                                         Diagnostics& diagnostics) {
+  const TreeSource source = sourceOf(human, files);
+  AgentPrograms::Entry entry{load(human, source, diagnostics)};
+  if (entry.program != nullptr && !source.isGenerated()) {
+    const std::string& text = source.text ? *source.text : *files_.at(source.path);
+    entry.isCustom = !generatedStyle(text, scenario_, human, library_.catalogue());
+  }
+  return entry;
+}
+
 AgentPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnostics) {
   AgentPrograms result;
-  std::map<std::string, std::shared_ptr<const AgentProgram>> patterns;  // of sources, by name
+  std::map<std::string, AgentPrograms::Entry> patterns;  // of sources, by name
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
-      patterns.emplace(like->name, nullptr);
+      patterns.emplace(like->name, AgentPrograms::Entry());
     }
   }
   result.byAgentId.reserve(scenario_.humans.size());
@@ -277,12 +290,12 @@ AgentPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnosti
     if (!human.listed && pattern == patterns.end()) {
       continue;
     }
-    const auto program = load(human, sourceOf(human, files), diagnostics);
+    const AgentPrograms::Entry entry = entryOf(human, files, diagnostics);
     if (human.listed) {
-      result.byAgentId.emplace_back(human.id, program);
+      result.byAgentId.emplace_back(human.id, entry);
     }
     if (pattern != patterns.end()) {
-      pattern->second = program;
+      pattern->second = entry;
     }
   }
   std::stable_sort(result.byAgentId.begin(), result.byAgentId.end(),

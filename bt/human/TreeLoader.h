@@ -37,11 +37,15 @@ struct AgentProgram {
 
 /// Maps people to programs.
 struct AgentPrograms {
-  std::vector<std::pair<int, std::shared_ptr<const AgentProgram>>> byAgentId;  // by ascending id
-  std::map<std::string, std::shared_ptr<const AgentProgram>> bySourceArea;     // by area name
+  struct Entry {
+    std::shared_ptr<const AgentProgram> program;
+    bool isCustom = false;  // not generated from behaviour and goals
+  };
+  std::vector<std::pair<int, Entry>> byAgentId;  // by ascending id
+  std::map<std::string, Entry> bySourceArea;     // by area name
 
   /// Null if there is no program for the person.
-  const AgentProgram* find(const sim2d::ResolvedHuman& person) const;
+  const Entry* find(const sim2d::ResolvedHuman& person) const;
 };
 
 /// Resolves the includes of a tree file. If the file that all generated trees include is missing,
@@ -83,6 +87,8 @@ class TreeLoader {
   std::shared_ptr<const AgentProgram> loadFromSource(const sim2d::Human& human,
                                                      const TreeSource& source,
                                                      base::Diagnostics& diagnostics);
+  AgentPrograms::Entry entryOf(const sim2d::Human& human, const TreeFiles& files,
+                               base::Diagnostics& diagnostics);
   const LoadedTree& look(const std::string& text, const std::string& path);
   std::shared_ptr<const AgentProgram> compileTable(const TreeTable& table,
                                                    base::Diagnostics& diagnostics) const;

@@ -58,10 +58,9 @@ BodyStyles::BodyStyles(const ScenarioDocument& document, const sim2d::TraceHeade
   for (const sim2d::TraceHuman& human : header.humans) {
     const sim2d::Human* known = document.scenario().humanById(human.id);
     const bool isSame = known != nullptr && known->name == human.name;
-    bodies_[human.id] = {human.radius,
-                         isSame ? lookOfPerson(document, *known)
-                                : lookOf(static_cast<sim2d::BehaviorType>(human.behavior)),
-                         {}};
+    const bool isOfDocument = isSame && !human.customTree;
+    bodies_[human.id] = {
+        human.radius, isOfDocument ? lookOfPerson(document, *known) : lookOf(human), {}};
   }
   for (const sim2d::TraceRobot& robot : header.robots) {
     bodies_[robot.id] = {robot.radius, Look::Regular, robot.footprint};

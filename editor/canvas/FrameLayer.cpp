@@ -130,8 +130,7 @@ void FrameLayer::updateAgents(const sim2d::TraceHeader& header, const sim2d::Fra
   }
   for (const sim2d::TraceHuman& human : header.humans) {
     if (isNew(human.id)) {
-      agents_[human.id] = {QString::fromStdString(human.name), EntityId(),
-                           lookOf(static_cast<sim2d::BehaviorType>(human.behavior)),
+      agents_[human.id] = {QString::fromStdString(human.name), EntityId(), lookOf(human),
                            unknownAgent_.kind, human.radius};
     }
   }

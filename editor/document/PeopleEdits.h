@@ -15,9 +15,9 @@ bool isDrawn(const sim2d::Human& human);
 sim2d::Behavior frozenBehavior(const sim2d::Scenario& scenario, const sim2d::Human& human,
                                long long seed);
 
-/// By behaviour, or Look::CustomTree for a custom tree.
+/// By behaviour, or Look::CustomTree for a custom tree, also of a recorded run that is shown.
 inline Look lookOfPerson(const ScenarioDocument& document, const sim2d::Human& human) {
-  return document.tree(human.key)
+  return document.hasCustomTree(human)
              ? Look::CustomTree
              : lookOf(human.behavior.type.value_or(sim2d::BehaviorType::Regular));
 }

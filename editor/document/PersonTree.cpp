@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "bt/human/GeneratedStyle.h"
 #include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeUse.h"
 #include "bt/tree/TreeXml.h"
@@ -61,7 +62,7 @@ bt::TreeSpec* mainTreeOf(bt::TreeFile& file) {
 bool isGeneratedWithBlocks(const ScenarioDocument& document, const sim2d::Human& human,
                            const std::string& own, bt::TreeFile file) {
   bt::TreeSpec* tree = mainTreeOf(file);
-  return !hasExtraComments(own, generatedTree(document.scenario(), human)) && tree != nullptr &&
+  return !bt::hasExtraComments(own, generatedTree(document.scenario(), human)) && tree != nullptr &&
          bt::setBlocks(*tree, {}) && sameTrees(file, generatedTreeFile(document, human));
 }
 
@@ -375,30 +376,6 @@ std::optional<std::string> updatedTree(const ScenarioDocument& document,
   return sameTrees(made, old) ? std::nullopt : std::optional(bt::writeTree(made, treeCatalogue()));
 }
 
-namespace {
-
-/// The words of all comments, without the whitespace around and between them.
-std::vector<std::string> commentsIn(std::string_view xml) {
-  constexpr std::string_view kBegin = "<!--";
-  constexpr std::string_view kEnd = "-->";
-  std::vector<std::string> comments;
-  for (std::size_t at = xml.find(kBegin); at != std::string_view::npos; at = xml.find(kBegin, at)) {
-    const std::size_t begin = at + kBegin.size();
-    const std::size_t end = std::min(xml.find(kEnd, begin), xml.size());
-    std::string& words = comments.emplace_back();
-    for (const char c : xml.substr(begin, end - begin)) {
-      if (c != ' ' && c != '\t' && c != '\r' && c != '\n') {
-        words += c;
-      }
-    }
-    at = end;
-  }
-  std::sort(comments.begin(), comments.end());
-  return comments;
-}
-
-}  // namespace
-
 const bt::NodeCatalogue& treeCatalogue() {
   static const bt::NodeLibrary library = bt::humanNodes();
   return library.catalogue();
@@ -415,26 +392,9 @@ std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& h
   return bt::makeTreeText(scenario, human, style, treeCatalogue());
 }
 
-bool hasExtraComments(const std::string& xml, const std::string& made) {
-  const std::vector<std::string> known = commentsIn(made);
-  const std::vector<std::string> found = commentsIn(xml);
-  return !std::includes(known.begin(), known.end(), found.begin(), found.end());
-}
-
 std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
                                             const sim2d::Human& human) {
-  const base::Result<bt::TreeFile> found = bt::readTreeText(xml);
-  if (!found) {
-    return std::nullopt;  // A broken file is kept unchanged; running it reports the problem.
-  }
-  for (const bt::TreeStyle style : {bt::TreeStyle::Corrected, bt::TreeStyle::Hunav2}) {
-    const std::string text = generatedTree(scenario, human, style);
-    const base::Result<bt::TreeFile> made = bt::readTreeText(text);
-    if (made && *made == *found && !hasExtraComments(xml, text)) {
-      return style;
-    }
-  }
-  return std::nullopt;
+  return bt::generatedStyle(xml, scenario, human, treeCatalogue());
 }
 
 std::optional<base::FileContent> missingIncludedTree(const std::string& folder) {

@@ -89,11 +89,7 @@ std::string treeFolderOf(const std::string& scenarioPath);
 /// XML of the tree generated from the behaviour and goals of a person.
 std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
                           bt::TreeStyle style = bt::TreeStyle::Corrected);
-/// Returns true if `xml` contains comments that `made` does not have; the parsed tree has no
-/// comments.
-bool hasExtraComments(const std::string& xml, const std::string& made);
-/// The generator style (corrected or original) whose tree of this person has the same meaning as
-/// the text and contains all of its comments.
+/// See bt::generatedStyle. A broken file is kept unchanged; running it reports the problem.
 std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
                                             const sim2d::Human& human);
 /// The fixed tree file that generated trees include; none if the folder already has one.

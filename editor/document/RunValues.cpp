@@ -63,4 +63,14 @@ Look shownLookOf(const ScenarioDocument& document, const sim2d::Human& human) {
   return lookOfPerson(document, shown);
 }
 
+std::set<int> customTreesOf(const sim2d::TraceHeader& run) {
+  std::set<int> ids;
+  for (const sim2d::TraceHuman& human : run.humans) {
+    if (human.customTree) {
+      ids.insert(human.id);
+    }
+  }
+  return ids;
+}
+
 }  // namespace editor

@@ -131,7 +131,7 @@ std::optional<Entity> ScenarioDocument::entityIn(const sim2d::Scenario& scenario
 }
 
 void ScenarioDocument::setRun(RunScenarios run) {
-  if (run.start != run_.start || run.now != run_.now) {
+  if (run.start != run_.start || run.now != run_.now || run.customTrees != run_.customTrees) {
     run_ = std::move(run);
     Q_EMIT runChanged();
   }

@@ -39,9 +39,11 @@ struct MapState {
   base::Diagnostics problems;  // Problems of finding and reading the map.
 };
 
-/// The scenarios of a run: at its start, and with the changes of its branches. Null: no run.
+/// The scenarios of a run: at its start, and with the changes of its branches. Null: no run, or a
+/// recorded one.
 struct RunScenarios {
   std::shared_ptr<const sim2d::Scenario> start, now;
+  std::set<int> customTrees = {};  // Ids of people with custom trees in a recorded run.
 };
 
 /// A save would replace a hand-written tree file.
@@ -133,6 +135,10 @@ class ScenarioDocument : public QObject {
   /// The entity in the shown run; none: no run, or not in it.
   std::optional<Entity> entityInRun(EntityId id) const {
     return run_.now == nullptr ? std::nullopt : entityIn(*run_.now, id);
+  }
+  /// The person has a custom tree here or in the recorded run that is shown.
+  bool hasCustomTree(const sim2d::Human& human) const {
+    return trees_.count(human.key) > 0 || run_.customTrees.count(human.id) > 0;
   }
   std::optional<Entity> entityAtRunStart(EntityId id) const {
     return run_.start == nullptr ? std::nullopt : entityIn(*run_.start, id);

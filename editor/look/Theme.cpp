@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim2d/trace/Trace.h"
+
 namespace editor {
 
 namespace {
@@ -69,6 +71,11 @@ std::size_t index(Look look) {
 Look lookOf(sim2d::BehaviorType type) {
   const int number = static_cast<int>(type);  // Starts at 1, in the same order.
   return number >= 1 && number < kLookCount ? static_cast<Look>(number - 1) : Look::Regular;
+}
+
+Look lookOf(const sim2d::TraceHuman& recorded) {
+  return recorded.customTree ? Look::CustomTree
+                             : lookOf(static_cast<sim2d::BehaviorType>(recorded.behavior));
 }
 
 QString lookName(Look look) {

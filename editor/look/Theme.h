@@ -4,6 +4,10 @@
 
 #include "sim2d/scenario/Scenario.h"
 
+namespace sim2d {
+struct TraceHuman;
+}
+
 namespace editor {
 
 /// The purpose of a colour. Widgets request colours by role only.
@@ -52,6 +56,7 @@ constexpr int kLookCount = 7;
 enum class Mark { Disc, Square, Diamond, Ring, TriangleDown, TriangleUp, Hexagon };
 
 Look lookOf(sim2d::BehaviorType type);
+Look lookOf(const sim2d::TraceHuman& recorded);
 QString lookName(Look look);
 Mark markOf(Look look);
 

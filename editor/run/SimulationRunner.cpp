@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "editor/document/RunValues.h"
+
 namespace editor {
 
 namespace {
@@ -271,6 +273,7 @@ void SimulationRunner::openRecorded(RecordingPtr recording, std::function<RunReq
   isRecorded_ = finished_ = true;
   recreate_ = std::move(again);
   setFirstBranch(tr("Recorded run"));
+  setScenarios({nullptr, nullptr, customTreesOf(*recording_->header())});
   const FramePtr first = stateAt(0);
   show(first != nullptr ? first : newest_, false);
   setState(State::Paused);

@@ -7,6 +7,7 @@
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/behavior/TreeOutline.h"
@@ -185,10 +186,8 @@ void TreeEditor::listPeople() {
   const FigurePainter painter(context_.theme());
   for (const EntityId id : document_.entities(EntityKind::Human)) {
     const sim2d::Human& each = *document_.human(id);
-    const Look look = document_.tree(id)
-                          ? Look::CustomTree
-                          : lookOf(each.behavior.type.value_or(sim2d::BehaviorType::Regular));
-    people_->addItem(painter.markIcon(look), QString::fromStdString(each.name), id.key);
+    people_->addItem(painter.markIcon(lookOfPerson(document_, each)),
+                     QString::fromStdString(each.name), id.key);
   }
   people_->setCurrentIndex(people_->findData(person_.key));
 }

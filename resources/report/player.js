@@ -42,7 +42,7 @@
   function readColors() {
     var style = getComputedStyle(document.documentElement);
     ["panel", "ground", "rule", "wall", "solid", "edge", "ink", "dim", "accent", "robot", "front",
-      "hot", "p1", "p2", "p3", "p4", "p5", "p6"].forEach(function (name) {
+      "hot", "p1", "p2", "p3", "p4", "p5", "p6", "p7"].forEach(function (name) {
       colors[name] = style.getPropertyValue("--" + name).trim();
     });
   }
@@ -60,7 +60,7 @@
     pen.save();
     pen.translate(pose[0], pose[1]);
     pen.rotate(pose[2]);
-    pen.fillStyle = colors["p" + (body.look >= 1 && body.look <= 6 ? body.look : 1)];
+    pen.fillStyle = colors["p" + (body.look >= 1 && body.look <= 7 ? body.look : 1)];
     pen.strokeStyle = colors.ink;
     pen.lineWidth = pixel;
     pen.beginPath();

@@ -49,6 +49,7 @@ struct TraceHuman {
   bool cyclicGoals = true;
   std::vector<TraceGoal> goals;
   std::vector<std::pair<std::string, double>> parameters;  // all resolved numeric parameters
+  bool customTree = false;  // the behaviour tree is not generated from behaviour and goals
 
   template <class Visit>
   static void eachMember(Visit visit) {
@@ -66,6 +67,7 @@ struct TraceHuman {
     visit("cyclic_goals", &T::cyclicGoals);
     visit("goals", &T::goals);
     visit("parameters", &T::parameters);
+    visit("custom_tree", &T::customTree);  // optional in the file; absent: false
   }
 };
 

@@ -25,6 +25,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kFormat = 1;  // latest known format
 constexpr char kWrap[] = "wrap_x";
 constexpr char kDrive[] = "kinematics";
+constexpr char kCustomTree[] = "custom_tree";
 
 /// Expands run lengths to `count` cells; false if they do not match.
 bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& cells) {
@@ -76,15 +77,15 @@ class JsonReader {
     return fits;
   }
 
-  /// `metrics`, `wrap_x` and (in older files) `kinematics` are optional, all other members
-  /// required.
+  /// `metrics`, `wrap_x`, `custom_tree` and (in older files) `kinematics` are optional, all other
+  /// members required.
   template <class T>
   void readMember(const Json& object, const std::string& path, const char* key, T& value) {
     const auto found = object.find(key);
     if (found != object.end()) {
       read(*found, path + key, value);
     } else if (!std::is_same_v<T, TraceMetrics> && std::string_view(key) != kWrap &&
-               std::string_view(key) != kDrive) {
+               std::string_view(key) != kDrive && std::string_view(key) != kCustomTree) {
       error(path + key, "trace.missing");
     }
   }
@@ -316,6 +317,11 @@ Json toJson(const T& value) {
     Json json = Json::object();
     forEachMember(value,
                   [&json](const char* name, const auto& member) { json[name] = toJson(member); });
+    if constexpr (std::is_same_v<T, TraceHuman>) {
+      if (!value.customTree) {
+        json.erase(kCustomTree);
+      }
+    }
     return json;
   } else {
     return value;

@@ -165,6 +165,8 @@ class HumanBehavior {
   virtual void decide(const WorldView& view, Intents& intents) = 0;
   /// Status changes of tree nodes in the last step, by id, then node.
   virtual void takeTreeChanges(TreeChanges& changes) { changes.clear(); }
+  /// Whether the person's behaviour tree is not the one generated from behaviour and goals.
+  virtual bool hasCustomTree(int /*human*/, const WorldView& /*view*/) const { return false; }
   /// What the nodes of people's trees have returned since the beginning; one entry per person.
   virtual std::vector<base::TreeResults> treeResults() const { return {}; }
   /// Problems since the last call (a faulty tree, an unknown id), once per cause.

@@ -396,6 +396,14 @@ std::vector<base::TreeResults> World::treeResults() const {
   return results;
 }
 
+TraceHeader World::header() const {
+  TraceHeader header = makeHeader(model_, surroundings_);
+  for (std::size_t i = 0; i < header.humans.size(); ++i) {
+    header.humans[i].customTree = behavior_->hasCustomTree(static_cast<int>(i), view_);
+  }
+  return header;
+}
+
 std::vector<std::string> World::plannerReports() const {
   std::vector<std::string> reports;
   for (const std::shared_ptr<Planner>& planner : robots_.planners()) {

@@ -180,8 +180,8 @@ class World : public WorldBase {
   /// of robots.
   std::vector<base::TreeResults> treeResults() const;
   /// Additional manifest content of the planners, as JSON; empty: none.
-  std::vector<std::string> plannerReports() const;                          // -1, -2 …
-  TraceHeader header() const { return makeHeader(model_, surroundings_); }  // current
+  std::vector<std::string> plannerReports() const;  // -1, -2 …
+  TraceHeader header() const;                       // current
   /// Current; parts as in the header.
   const Obstacles& obstacles() const { return surroundings_.obstacles; }
 

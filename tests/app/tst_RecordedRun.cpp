@@ -4,8 +4,10 @@
 
 #include "QuietWindow.h"
 #include "RunFiles.h"
+#include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/PeopleEdits.h"
 
 using app::MainWindow;
 using namespace outside;
@@ -168,6 +170,33 @@ class RecordedRunTest : public QObject {
     QVERIFY(shown.desktop.duration == std::optional(length));  // not that of the file
     window->workspace().runner().reset();                      // nothing to go back to
     QVERIFY(window->isOnStartPage());
+    quiet::leave(window);
+  }
+
+  /// As in the live run, also when the scenario with its trees is gone.
+  void customTree_isShownAsSuch() {
+    const QTemporaryDir folder;
+    const QString scenario = quiet::copyOfDemo(folder.filePath(text("demo.yaml")));
+    const QString tree = folder.filePath(text("demo__agent_2_bt.xml"));
+    writeText(tree,
+              "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><StopMovement "
+              "agent_id=\"{id}\"/></BehaviorTree></root>");
+    const QString path = runOfDemo(folder, scenario);
+    QVERIFY(!path.isEmpty());
+    QVERIFY(QFile::remove(scenario) && QFile::remove(tree));
+    auto window = quiet::shownWindow();
+    QVERIFY(window->open(path));
+    const app::Workspace& workspace = window->workspace();
+    std::map<int, editor::Look> looks;
+    for (const editor::ShownBody& body : workspace.scene().frameLayer().shownBodies()) {
+      looks[body.id] = body.look;
+    }
+    QCOMPARE(looks.at(2), editor::Look::CustomTree);
+    QVERIFY(looks.at(1) != editor::Look::CustomTree);
+    for (const sim2d::Human& human : workspace.document().scenario().humans) {
+      QCOMPARE(editor::lookOfPerson(workspace.document(), human) == editor::Look::CustomTree,
+               human.id == 2);
+    }
     quiet::leave(window);
   }
 

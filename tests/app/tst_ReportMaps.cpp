@@ -209,6 +209,19 @@ class ReportMapsTest : public QObject {
     QVERIFY(place.box.low.y() > 200.0 || place.box.high.x() < 200.0);
   }
 
+  void playerJson_customTree_hasItsOwnColour() {
+    sim2d::Trace trace;
+    sim2d::TraceHuman human;
+    human.id = 1;
+    human.behavior = 3;
+    trace.header.humans = {human};
+    trace.frames.resize(1);
+    trace.frames[0].humans.add(1, base::Pose2(), base::Vec2::Zero(), 0.0, sim2d::kNoGoal);
+    QVERIFY(has(playerJson(trace, {}, {"Run 1"}, 0.2), "\"look\":3"));
+    trace.header.humans[0].customTree = true;
+    QVERIFY(has(playerJson(trace, {}, {"Run 1"}, 0.2), "\"look\":7"));
+  }
+
   void playerJson_speedOfAContact_isToldWithItsUnit() {
     sim2d::Trace trace;
     const auto add = [&trace](sim2d::EventKind kind, const char* words) {

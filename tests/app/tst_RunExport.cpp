@@ -227,7 +227,15 @@ class RunExportTest : public QObject, protected InFolder {
     QVERIFY(!window_->workspace().document().isDirty());
   }
 
-  /// The trace does not contain the trees: the figure takes them from the document, as the canvas.
+  void map_ofARecordedCustomTree_hasItsColour() {
+    sim2d::Trace trace = *walk(1.0, 10).trace();
+    const app::FigureSizes sizes(1600.0);
+    const app::FigureText words(false);
+    QCOMPARE(app::FigureMap(trace, sizes, words, {}).lookOf(1), editor::Look::Regular);
+    trace.header.humans.front().customTree = true;
+    QCOMPARE(app::FigureMap(trace, sizes, words, {}).lookOf(1), editor::Look::CustomTree);
+  }
+
   void picture_ofAPersonWithACustomTree_hasItsColour() {
     QVERIFY(window_->open(quiet::demoPath()));
     editor::ScenarioDocument& document = window_->workspace().document();

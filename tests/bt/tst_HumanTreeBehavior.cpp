@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "bt/human/TreeBehavior.h"
+#include "bt/human/TreeGenerator.h"
 #include "sim2d/base/Text.h"
 #include "tests/bt/FakeWorld.h"
 
@@ -312,6 +313,35 @@ class HumanTreeBehaviorTest : public QObject {
     run_->step();
     QVERIFY(run_->hasEvent(EventKind::Say, "I am new"));
     QCOMPARE(run_->events.front().id, 5);
+  }
+
+  /// Neither a tree without a file nor a file that the generator would write is a custom tree.
+  void customTree_isOneThatWasNotGenerated() {
+    run_->add(1, {1}).listed = false;
+    run_->file("agent1", "<StopMovement agent_id='{id}'/>");
+    run_->add(2, {1, 2});
+    run_->add(3, {2, 1});
+    const std::string saved =
+        bt::makeTreeText(run_->scenario, run_->scenario.humans.back(), bt::TreeStyle::Corrected,
+                         bt::humanNodes().catalogue());
+    run_->files["agent3"] = bt::TreeSource(saved, "", "");
+    run_->add(4, {1, 2});
+    run_->files["agent4"] = bt::TreeSource(saved, "", "");  // other goals than the person's
+    sim2d::Area source;
+    source.kind = sim2d::AreaKind::Source;
+    source.name = "entrance";
+    source.like = "agent1";
+    run_->scenario.areas = {source};
+    QVERIFY(run_->start());
+    const int guest = run_->world.addPerson(1000001, 5.0, 5.0);
+    run_->world.at(guest).constants.name = "entrance_1";
+    const auto isCustom = [this](int human) {
+      return run_->behavior->hasCustomTree(human, run_->world);
+    };
+    QVERIFY(!isCustom(0));  // agent2
+    QVERIFY(!isCustom(1));  // agent3
+    QVERIFY(isCustom(2));   // agent4
+    QVERIFY(isCustom(guest));
   }
 
   void enter_again_givesAFreshMind() {

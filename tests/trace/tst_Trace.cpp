@@ -266,6 +266,22 @@ class TraceTest : public QObject {
     QVERIFY((readTrace(path)->header.wrapX == std::vector<double>{-2.0, 3.5}));
   }
 
+  /// Absent in most files and in those of older versions.
+  void customTree_isInTheHeader_ofThosePeopleAlone() {
+    QTemporaryDir folder;
+    const std::string path = folder.path().toStdString();
+    Trace trace = sampleTrace();
+    writeRun(trace, path);
+    QVERIFY(base::readTextFile(path + "/trace.json")->find("custom_tree") == std::string::npos);
+    QVERIFY(!readTrace(path)->header.humans[1].customTree);
+    trace.header.humans[1].customTree = true;
+    writeRun(trace, path);
+    const TraceHeader read = readTrace(path)->header;
+    QVERIFY(!read.humans[0].customTree);
+    QVERIFY(read.humans[1].customTree);
+    QVERIFY(read.humans[1] == trace.header.humans[1]);
+  }
+
   void hashOf_otherPosition_differs() {
     const Trace trace = sampleTrace();
     Trace moved = trace;

@@ -54,7 +54,7 @@ QString aboutPerson(const ScenarioDocument& document, const sim2d::Human& human)
   if (!goals.empty()) {
     return number + QObject::tr(" · goals %1").arg(firstGoals(goals));
   }
-  return document.tree(human.key) ? number : number + QObject::tr(" · stands still");
+  return document.hasCustomTree(human) ? number : number + QObject::tr(" · stands still");
 }
 
 QString aboutRobot(const sim2d::Robot& robot) {
@@ -271,7 +271,7 @@ void PropertyPanel::setDriveAction(QAction* drive) {
 }
 
 void PropertyPanel::showSpawnedPerson() {
-  const Look look = lookOf(static_cast<sim2d::BehaviorType>(spawnedAgent_->behavior));
+  const Look look = lookOf(*spawnedAgent_);
   std::vector<int> goals;
   for (const sim2d::TraceGoal& goal : spawnedAgent_->goals) {
     goals.push_back(goal.id);

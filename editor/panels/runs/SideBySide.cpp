@@ -7,15 +7,17 @@
 #include "editor/canvas/ComparedRunLayers.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/Autosave.h"
+#include "editor/document/RunValues.h"
 #include "editor/look/Form.h"
 #include "editor/panels/runs/Playback.h"
 
 namespace editor {
 
-SideView::SideView(MapView& canvas, const DocumentSnapshot& document, bool isOfEdited,
-                   QWidget* parent)
+SideView::SideView(MapView& canvas, const DocumentSnapshot& document, const sim2d::Recording& run,
+                   bool isOfEdited, QWidget* parent)
     : QWidget(parent), canvas_(canvas), scene_(document_, canvas.mapScene().theme()) {
   document_.restore(document, true);
+  document_.setRun({nullptr, nullptr, customTreesOf(*run.header())});
   scene_.setOptions(canvas.mapScene().options());
   configuredLayout(new QVBoxLayout(this), {}, 0, {title_, view_});
   view_->setInteractive(false);
@@ -175,8 +177,9 @@ void SideBySide::showRuns(const std::vector<Run>& runs) {
       view = std::move(before[static_cast<std::size_t>(same - runsBefore.begin())]);
     }
     if (view == nullptr) {
-      view = std::make_unique<SideView>(
-          canvas_, documentOf(*run.recording, edited_, run.isOfEdited), run.isOfEdited, this);
+      view =
+          std::make_unique<SideView>(canvas_, documentOf(*run.recording, edited_, run.isOfEdited),
+                                     *run.recording, run.isOfEdited, this);
     }
     view->setTitle(run.title);
     views_.push_back(std::move(view));

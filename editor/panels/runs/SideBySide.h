@@ -20,8 +20,8 @@ class SideView : public QWidget {
  public:
   /// `document`: the document of the run; it is copied. `isOfEdited`: it is that of the canvas, so
   /// the selection of the canvas is followed. The canvas must outlive the view.
-  SideView(MapView& canvas, const DocumentSnapshot& document, bool isOfEdited,
-           QWidget* parent = nullptr);
+  SideView(MapView& canvas, const DocumentSnapshot& document, const sim2d::Recording& run,
+           bool isOfEdited, QWidget* parent = nullptr);
   ~SideView() override;
   Q_DISABLE_COPY_MOVE(SideView)
   QString title() const { return title_->text(); }
