@@ -225,7 +225,7 @@ QColor FigureMap::colorOf(int id) const {
   return id < 0 ? theme_.color(Role::RobotLine) : theme_.line(lookOf(id));
 }
 
-/// Up to the present time, without points closer than kMinStep.
+/// Up to the current time, without points closer than kMinStep.
 QPolygonF FigureMap::lineOf(const Track& track) const {
   QPolygonF line;
   const std::size_t count = track.countUntil(time_);

@@ -18,8 +18,8 @@ struct TuneContext {
 
 struct TuneReport {
   std::string headline;  // "IMPROVED: time to reach goal −12.1 % [−15.0, −9.3]"
-  std::string tuned;     // the tuned file; the present one without an improvement
-  std::string diff;      // from the present file to the chosen values; empty: none chosen
+  std::string tuned;     // the tuned file; the current one without an improvement
+  std::string diff;      // from the current file to the chosen values; empty: none chosen
   std::string html;      // self-contained page
   std::string json;
   std::vector<Table> tables;    // tables of the page

@@ -175,7 +175,7 @@ Table tuneEffectsTable(const app::TuneOptions& options, const app::TuneSubject& 
       "effects",
       "What each change contributes: the candidate compared with itself without this change, on " +
           counted(result.chosenRuns, "run") +
-          " of the search. Score: loss without the change, in percent of the present score. "
+          " of the search. Score: loss without the change, in percent of the current score. "
           "Differences with the change − without it, 95 % intervals. Changes that lose nothing "
           "when they are reverted together are not in the tuned file.",
       {{"Parameter", "", false}, {"Before", ""}, {"After", ""}, {"Score", ""}},

@@ -11,9 +11,9 @@ namespace report {
 /// with which confidence interval, and the metrics in which no difference could be shown, with the
 /// number of seeds. Success comes first, then contacts, the time to the goal, and all others by the
 /// size of the difference relative to the mean; except for success and contacts, differences below
-/// 2 % of the mean are only named, after all others. Only paired tests with p < 0.05 after Holm's
+/// 2 % of the mean come last, without numbers. Only paired tests with p < 0.05 after Holm's
 /// adjustment count; neutral metrics are omitted. If all seeds gave the same values, nothing can be
-/// tested, which is all that it says. Empty: nothing is compared.
+/// tested, and the paragraph says only this. Empty: nothing is compared.
 std::string verdictMarkup(const Study& study, const Comparisons& comparisons);
 
 /// The result of one comparison as a sentence; empty: nothing was compared. "Path length: best is

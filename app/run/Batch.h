@@ -43,7 +43,7 @@ class WorkerProcess {
 
   /// Kills the process if it is still running; returns its waitpid status.
   int end();
-  std::size_t residentBytes() const;  // present memory; 0 = unknown
+  std::size_t residentBytes() const;  // current memory; 0 = unknown
 
  private:
   WorkerProcess(pid_t process, int socket) : process_(process), socket_(socket) {}

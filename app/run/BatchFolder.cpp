@@ -109,7 +109,7 @@ base::Diagnostics foreignFilesIn(const OutputFolder& output, std::size_t runCoun
   return problems;
 }
 
-/// Locates the first line that differs, in the present text.
+/// Locates the first line that differs, in the current text.
 base::Diagnostic firstDifference(const Study& was, const Study& now) {
   const std::vector<std::string> before = base::split(was.experiment, '\n');
   const std::vector<std::string> after = base::split(now.experiment, '\n');

@@ -39,8 +39,8 @@ struct Experiment {
     long long seed = 1;
     std::vector<std::string> values;  // one per path, drawn ones too
   };
-  /// The number of texts of each value that are combined with all of the others; 1 for draws and
-  /// for coordinates of the design other than the first.
+  /// For each path of values, the number of its values that are combined with those of all other
+  /// paths; 1 for draws and for coordinates of the design other than the first.
   std::vector<std::size_t> dimensions() const;
   std::size_t runCount() const;
   Run run(std::size_t index) const;

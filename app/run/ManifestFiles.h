@@ -98,7 +98,7 @@ class InputFingerprints {
   const std::vector<InputHash>& all() const { return files_; }
 
   /// The files as they were at first use. A file that has changed or is missing is followed by a
-  /// second entry with its present hash. Reads only files that were modified since.
+  /// second entry with its current hash. Reads only files that were modified since.
   std::vector<InputHash> withChanges(const std::vector<std::size_t>& numbers);
 
   using Time = std::pair<std::time_t, long>;  // [s], [ns]

@@ -134,7 +134,7 @@ base::Diagnostics writeIntoForeignFolder(const std::string& folder,
                                          const std::vector<std::string>& dropped = {});
 
 /// For commands that write one file, also several at a time into one folder. Error: the file exists
-/// and the hidden manifest of its folder does not list it with its present hash, unless `force` is
+/// and the hidden manifest of its folder does not list it with its current hash, unless `force` is
 /// given.
 base::Diagnostics checkOverwrite(const std::string& file, bool force);
 /// Writes the file unless checkOverwrite() reports it; a file with the same content is no error.

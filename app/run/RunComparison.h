@@ -56,7 +56,7 @@ class RecordingMeasurer {
 
   metrics::FrameEvaluation evaluation_;
   std::function<double(double)> gap_;
-  std::optional<int> person_;  // null: everybody
+  std::optional<int> person_;  // null: all people
   sim2d::KnownPeople known_;   // to the metrics
   std::size_t events_ = 0;     // that were passed to the metrics
   std::vector<double> times_;  // of all states [s]

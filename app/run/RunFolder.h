@@ -113,8 +113,8 @@ base::Result<sim2d::Trace> readRun(const std::string& runFolder);
 std::vector<std::string> inputsOf(const Bundle& bundle);
 
 /// The first path in a run folder that does not belong to a run, which removeRunFolder() would not
-/// remove; nullopt if there is none. `ofEarlierBatch`: the folder is of an earlier batch; otherwise
-/// only temporary files count as part of a run. Links never do.
+/// remove; nullopt if there is none. `ofEarlierBatch`: the folder belongs to an earlier batch;
+/// otherwise only temporary files count as part of a run. Links never do.
 std::optional<std::string> foreignEntryIn(const std::string& runFolder, bool ofEarlierBatch);
 /// Removes the files of a run, and the folder if it is empty. The first file removed is one without
 /// which no reader accepts the rest as a run.

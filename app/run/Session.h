@@ -40,7 +40,7 @@ struct BlackboardStep {
 /// Changes of a session since the last takeUpdate().
 struct SessionUpdate {
   std::optional<base::Diagnostics> remarks;  // of creating the world; with errors it does not exist
-  RecordingPtr history;                      // of this run, once the world exists; it grows
+  RecordingPtr history;  // of this run, once the world exists; still being written
   sim2d::FramePtr newest;
   std::optional<double> measuredSpeed;                    // [simulated s / wall s]
   std::optional<sim2d::RunResult> result;                 // the run has ended

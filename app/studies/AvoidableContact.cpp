@@ -130,7 +130,7 @@ base::Diagnostics ContactAnalysis::analyse(const std::function<void(std::size_t)
   return {};
 }
 
-/// Analyses the contacts of the present step, which begin at `next`. False: a stop was requested,
+/// Analyses the contacts of the current step, which begin at `next`. False: a stop was requested,
 /// or there are no more processes; `next` is then the first one without a result.
 bool ContactAnalysis::analyseStep(std::size_t& next,
                                   const std::function<void(std::size_t)>& finished) {

@@ -37,13 +37,13 @@ struct ScanResult {
 std::string scanText(const ScanResult& result);
 std::optional<ScanResult> scanOf(const std::string& text);
 
-/// Tries all manoeuvres at the instants from the present step up to `until` (excluded), each in a
+/// Tries all manoeuvres at the instants from the current step up to `until` (excluded), each in a
 /// copy of the process. The stepper is at a later step afterwards. Nullopt: no more processes.
 std::optional<ScanResult> scanInstants(RunStepper& stepper, const sim2d::TraceHeader& header,
                                        const AvoidanceTarget& target, std::int64_t until,
                                        const WantedActions& wanted);
 
-/// Simulates a manoeuvre of the robot from the present step on, in this process. Nullopt: it does
+/// Simulates a manoeuvre of the robot from the current step on, in this process. Nullopt: it does
 /// not avoid the contact.
 std::optional<AvoidingAction> tryRobot(RunStepper& stepper, const sim2d::TraceHeader& header,
                                        const AvoidanceTarget& target,

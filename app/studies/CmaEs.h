@@ -126,7 +126,7 @@ class RestartedCmaEs {
 
   explicit RestartedCmaEs(Options options);
 
-  /// Points in the box; restarts first if the present run has ended.
+  /// Points in the box; restarts first if the current run has ended.
   const std::vector<Point>& ask();
   void tell(const std::vector<double>& values);
 

@@ -19,7 +19,7 @@ class RunStepper {
   /// Simulates the next step, with `more` inputs after those of the recording. False: the world
   /// has failed.
   bool advance(const sim2d::StepInputs& more = {});
-  /// Whether the present state is the recorded one, as far as files of a run contain it.
+  /// Whether the current state is the recorded one, as far as files of a run contain it.
   bool isAsRecorded() const;
 
  private:

@@ -58,7 +58,7 @@ class SearchEmitters {
   std::unique_ptr<CmaEs> improver_;
   std::vector<std::size_t> improverChoices_;
   int improverRestarts_ = 0;
-  std::size_t optimiserCount_ = 0;               // candidates of the optimiser in the present batch
+  std::size_t optimiserCount_ = 0;               // candidates of the optimiser in the current batch
   std::set<std::vector<std::size_t>> proposed_;  // combinations, without continuous values
 };
 

@@ -129,7 +129,7 @@ std::vector<std::vector<std::size_t>> SearchSpace::balancedChoices(std::size_t c
                                                                    SearchRandom& random) const {
   std::vector<std::vector<std::size_t>> all(count);
   for (const std::size_t options : optionCounts_) {
-    std::vector<std::size_t> left;  // of the present permutation
+    std::vector<std::size_t> left;  // of the current permutation
     for (std::vector<std::size_t>& choices : all) {
       if (left.empty()) {
         left.resize(options);

@@ -13,7 +13,7 @@
 #include "app/studies/TuneScore.h"
 #include "app/studies/TuneSubject.h"
 
-/// Tuning: searches values of parameters that are better than the present ones, and measures the
+/// Tuning: searches values of parameters that are better than the current ones, and measures the
 /// improvement on runs that the search has not seen.
 namespace app {
 
@@ -102,7 +102,7 @@ using TuneProgress = std::function<void(const std::string& stage, std::size_t pl
 /// 3. the best changes of different parameters together;
 /// 4. CMA-ES on the parameters that matter, starting at the best values so far;
 /// 5. the last means of the distribution and the best candidates on more seeds;
-/// 6. each change taken back alone; those that do not matter are dropped (backward elimination).
+/// 6. each change reverted alone; those that do not matter are dropped (backward elimination).
 /// Stages that would leave too few runs for the last two are left out. Errors: those of the pool.
 base::Result<TuneResult> tune(const TuneOptions& options, const TuneSubject& subject, RunPool& pool,
                               const TuneProgress& showStage = {});

@@ -35,7 +35,7 @@ base::Result<TuningList> readTuningList(const std::string& path);
 
 /// A parameter that is tuned.
 struct TunedParameter {
-  TuningRange range;  // extended to contain the present value
+  TuningRange range;  // extended to contain the current value
   std::string node;   // of Nav2; empty: of a planner
   std::string name;   // "FollowPath.vx_std"; "horizon"
   bool isInteger = false;
@@ -53,7 +53,7 @@ struct TunedParameter {
   std::string label() const { return node.empty() ? name : node + ": " + name; }
 };
 
-/// A parameter with this present value. Nothing but numbers can be tuned.
+/// A parameter with this current value. Nothing but numbers can be tuned.
 TunedParameter tunedParameter(const TuningRange& range, double present, bool isInteger);
 
 }  // namespace app

@@ -12,7 +12,7 @@ constexpr int kMostRounds = 3;      // of the same kind; another one follows a n
 constexpr double kLargeGain = 0.1;  // of the score: other values may matter now
 constexpr double kCertain = 3.0;    // standard errors: the best of many candidates is often luck
 constexpr double kDistantShares[] = {0.15, 0.85, 0.5};  // of the range of a parameter
-constexpr double kLeastDistance = 0.2;                  // from the present value and the default
+constexpr double kLeastDistance = 0.2;                  // from the current value and the default
 constexpr std::size_t kDistantValues = 2;
 constexpr std::size_t kCombined[] = {2, 3, 4, 6, 8};  // numbers of changes
 constexpr std::size_t kAlone = 3;                     // single changes in the same race
@@ -20,7 +20,7 @@ constexpr std::size_t kMostVaried = 8;
 constexpr double kMostEffect = 0.5;  // larger ones count the same
 
 /// How much a change does beyond one standard error. Losses count half: the parameter matters, but
-/// its present value is good.
+/// its current value is good.
 double strengthOf(const TuneScore& score) {
   const double change = score.total - 1.0;
   const double size = std::min(std::fabs(change), kMostEffect) - score.error;

@@ -30,7 +30,7 @@ class TuneSubject {
   TunedValues present() const;  // the values before tuning
 
   RunRequest request(const std::string& scenario, long long seed, const TunedValues& values) const;
-  /// The text of the file with the values that differ from the present ones. Everything else keeps
+  /// The text of the file with the values that differ from the current ones. Everything else keeps
   /// its bytes. Nothing: a value cannot be written.
   std::optional<std::string> textWith(const TunedValues& values) const;
 

@@ -101,7 +101,7 @@ class Tuner {
   TunedValues with(TunedValues values, std::size_t parameter, const std::string& text) const;
   /// The base with one parameter at its default, for each; and with all of them.
   std::vector<TunedValues> defaultCandidates() const;
-  /// The base with one parameter at values that are far from the present one.
+  /// The base with one parameter at values that are far from the current one.
   std::vector<TunedValues> rangeCandidates() const;
   /// Races the candidates and notes what the changes of single parameters do. The best one becomes
   /// the base if its gain is large and certain.
@@ -130,7 +130,7 @@ class Tuner {
   std::size_t changesOf(const TunedValues& values) const;  // parameters that differ from before
   base::Diagnostics chooseBest();
   void choose(const TunedValues& values);
-  /// Each change alone taken back.
+  /// Each change reverted alone.
   base::Diagnostics measureEffects();
   /// The values with the changes of the first `count` effects.
   TunedValues withEffects(const TunedValues& full, std::size_t count) const;
@@ -156,7 +156,7 @@ class Tuner {
   std::size_t nextRun_ = 0;
   TuneRuns firstRuns_, finalRuns_;
   std::vector<std::pair<TunedValues, int>> tried_;  // with their generation
-  std::vector<TuneProbe> probes_;                   // of the present base
+  std::vector<TuneProbe> probes_;                   // of the current base
   std::vector<std::size_t> varied_;                 // parameters of the CMA-ES
   std::vector<TunedValues> means_;                  // of the distribution, by generation
   TuneResult result_;

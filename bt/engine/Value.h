@@ -79,7 +79,7 @@ std::optional<base::NodeStatus> valueAs(const Value& value);
 std::optional<Value> convertTo(const Value& value, PortType type, PortType element = PortType::Any);
 
 /// One entry of the blackboard. `type` is declared by the first port or typed value; later values
-/// must fit it or the present value, see below.
+/// must fit it or the current value, see below.
 struct Slot {
   Value value;
   PortType type = PortType::Any;     // Any: not declared yet
@@ -94,7 +94,7 @@ struct Slot {
 bool store(Slot& slot, const Value& value);
 bool store(Slot& slot, double value);  // overloads for writes in every step, without allocation
 bool store(Slot& slot, int value);
-/// Any::copyInto: the present value keeps its type. Returns false if the new value does not fit.
+/// Any::copyInto: the current value keeps its type. Returns false if the new value does not fit.
 bool copyInto(Value& to, const Value& from);
 /// Assignment in a script. `number` is the number in a text value; empty: not a number.
 bool assign(Slot& slot, const Value& value, const std::optional<double>& number);

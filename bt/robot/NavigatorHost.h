@@ -155,7 +155,7 @@ struct ClearRequest {
 /// Request of the service is_path_valid.
 struct PathCheck {
   PathId path = 0;
-  int maxCost = 254;           // cost from which a cell blocks the path
+  int maxCost = 254;           // minimum cost of a cell that blocks the path
   bool unknownBlocks = false;  // unknown cells block the path
   double lookahead = -1.0;     // length of the checked path [m]; < 0: all of it
   std::string layer;           // layer of the global costmap; empty: all layers merged

@@ -28,7 +28,7 @@ class FormSection : public QWidget {
   void moveLastRow(const QWidget* field);
   void setRowVisible(const QWidget* field, bool visible);
   /// Marks the label of a row with a dot in the colour of warnings, and sets the tooltip of the
-  /// label; empty: no mark. Nothing moves.
+  /// label; empty: no mark. The layout does not change.
   void setRowMark(const QWidget* field, const QString& tip);
   void setOpen(bool open) {
     body_->setVisible(open);

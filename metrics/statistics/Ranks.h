@@ -58,7 +58,7 @@ struct Friedman {
 Friedman friedman(const std::vector<Numbers>& blocks);
 
 /// Nemenyi's critical difference of mean ranks (Nemenyi 1963; Demšar 2006, 3.2.2): q √(k (k + 1) /
-/// (6 N)), q the quantile of the studentized range, infinite freedom, over √2.
+/// (6 N)), q the quantile of the studentized range with infinite degrees of freedom, over √2.
 double nemenyiDifference(int options, int blocks, double level = 0.95);
 
 // Comparison of options by several metrics.

@@ -91,8 +91,8 @@ double fisherTail(double f, double freedom1, double freedom2);
 double binomialCdf(double successes, double n, double p);
 
 /// P(Q > q) for the range of `groups` standard normal numbers, that is, the studentized range with
-/// infinite freedom. Integrated numerically, error below 1e-7: P(Q <= q) = k ∫ φ(z) [Φ(z) -
-/// Φ(z - q)]^(k-1) dz (Copenhaver & Holland 1988, equation 1). q <= 0: 1. groups >= 2.
+/// infinite degrees of freedom. Integrated numerically, error below 1e-7: P(Q <= q) = k ∫ φ(z)
+/// [Φ(z) - Φ(z - q)]^(k-1) dz (Copenhaver & Holland 1988, equation 1). q <= 0: 1. groups >= 2.
 double rangeTail(double q, int groups);
 /// The quantile q for an upper tail probability in (0, 1), as in tables.
 double rangeQuantile(double tail, int groups);

@@ -9,7 +9,7 @@ namespace sim2d {
 /// Remaining path length to the goal from every place near one robot, around walls and people who
 /// stand still. The route ignores people, and a planner that scores short arcs by their distance to
 /// the route would get stuck in front of them. Solves the eikonal equation |grad T| = slowness on a
-/// square grid about the robot by fast sweeping (Zhao 2005), from the point where the route leaves
+/// square grid around the robot by fast sweeping (Zhao 2005), from the point where the route leaves
 /// the grid. Not thread-safe.
 class CostToGo {
  public:

@@ -80,7 +80,7 @@ double cutOff(double share);
 /// without exponentials (exact for epsilon = 0).
 bool isNegligible(const ForceParameters& parameters, const Walker& self, const Walker& other,
                   double cutOff);
-/// Distance from which on `isNegligible` holds, for bodies of at most these speeds [m].
+/// Distance beyond which `isNegligible` holds, for bodies of at most these speeds [m].
 double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,
                    double cutOff);
 

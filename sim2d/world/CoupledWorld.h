@@ -48,7 +48,7 @@ class CoupledWorld : public WorldBase {
 
   /// Decisions and motion of all people over dt [s], > 0, from the state last taken or of the
   /// previous step; `only`: of this person, while the others stand. Returns false if a velocity is
-  /// not finite; then nobody has moved and `failure` contains the reason.
+  /// not finite; then no person has moved and `failure` contains the reason.
   bool step(double dt, std::optional<int> only = std::nullopt);
   const std::string& failure() const { return failure_; }
   /// Advances the clock of the behaviours after steps of single persons; steps of all people

@@ -139,7 +139,7 @@ class TuneTest : public QObject {
     const app::TunedParameter linear = app::tunedParameter({"b", 0.0, 40.0, false}, 3.0, true);
     QCOMPARE(linear.textAt(0.5), std::string("20"));
     QCOMPARE(linear.shareOf(10.0), 0.25);
-    // The range is extended to the present value.
+    // The range is extended to the current value.
     const app::TunedParameter outside = app::tunedParameter({"c", 1.0, 2.0, false}, 4.0, false);
     QCOMPARE(outside.textAt(1.0), std::string("4.0"));
   }

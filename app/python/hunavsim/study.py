@@ -83,7 +83,7 @@ class Results:
 
 
 def program():
-    """Path of the program `hunavsim`: the environment variable HUNAVSIM, else the one in PATH."""
+    """Path of the program `hunavsim`: the environment variable HUNAVSIM, otherwise the one in PATH."""
     found = os.environ.get("HUNAVSIM") or shutil.which("hunavsim")
     if not found:
         raise FileNotFoundError("the program hunavsim is not in PATH; set HUNAVSIM to its path")

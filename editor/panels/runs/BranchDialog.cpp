@@ -98,7 +98,8 @@ BranchDialog::BranchDialog(BranchState state, const QString& name, const Theme& 
   red.setColor(QPalette::WindowText, theme.color(Role::Error));
   problem_->setPalette(red);
   problem_->setWordWrap(true);
-  problem_->setFixedHeight(2 * problem_->fontMetrics().lineSpacing());  // Nothing moves later.
+  problem_->setFixedHeight(2 *
+                           problem_->fontMetrics().lineSpacing());  // The layout stays the same.
   layout->addWidget(problem_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("Create branch"));

@@ -5,7 +5,7 @@
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/mppi/MppiKernel.h"
 
-/// Grids of distances about the robot, reused between calls. World frame, [m].
+/// Grids of distances around the robot, reused between calls. World frame, [m].
 namespace sim2d {
 
 /// A window of a lattice through the world's origin.

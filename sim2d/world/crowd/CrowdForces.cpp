@@ -86,7 +86,7 @@ const CrowdReach::Disc& CrowdReach::discOf(double speed) const {
   return discs_[std::min(static_cast<std::size_t>(place), kDiscs - 1)];
 }
 
-/// Distance from which on `isNegligible` holds for an interaction vector with these components
+/// Distance beyond which `isNegligible` holds for an interaction vector with these components
 /// along and across the line to the other; a sharper bound for angles above a quarter turn [m].
 double CrowdReach::interactionBound(double along, double across) const {
   const double side = std::min(parameters_.n, parameters_.nPrime) * parameters_.gamma;

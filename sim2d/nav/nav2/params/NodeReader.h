@@ -116,7 +116,7 @@ class NodeReader {
   /// Reports a problem at the position of the parameter, or of the node when the parameter is
   /// absent.
   void report(const std::string& name, base::Diagnostic problem);
-  /// Whether the parameter is given and no placeholder.
+  /// Whether the parameter is given and is not a placeholder.
   bool has(const std::string& name) const {
     return parameters_.find(name) != nullptr && !isPlaceholder(name);
   }

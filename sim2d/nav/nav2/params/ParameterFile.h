@@ -59,7 +59,7 @@ class ParameterFile {
   /// The first file, or empty; all files in order.
   std::string file() const { return files_.empty() ? std::string() : files_.front(); }
   const std::vector<std::string>& files() const { return files_; }
-  /// Adds a file after the present ones.
+  /// Adds a file after the existing ones.
   void append(const ParameterFile& later);
   const std::vector<NodeParameters>& nodes() const { return nodes_; }  // in the file's order
   bool hasNode(std::string_view name) const;

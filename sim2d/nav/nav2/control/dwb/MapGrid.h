@@ -11,9 +11,9 @@
 namespace sim2d::nav2 {
 
 /// The value of a cell is |dx| + |dy| to the seed that reached it first. Cells are processed in
-/// order of the Euclidean distance from their seed, the last found of equal ones first, and
-/// propagate the seed to the left, lower, right and upper neighbour. Ignores obstacles. Expands
-/// only as far as requested.
+/// order of the Euclidean distance from their seed (of equal distances, the cell found last
+/// first) and propagate the seed to the left, lower, right and upper neighbour. Ignores obstacles.
+/// Expands only as far as requested.
 class MapGrid {
  public:
   /// Removes all seeds and sets the size.
