@@ -118,15 +118,15 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
 
   void node_clicked_isChosenInOutlineFormAndHistory() {
     open("Chloe");
-    const int node = called("Is robot visible");
+    const int node = called("IsRobotVisible");
     click(node);
     QCOMPARE(canvas().chosen(), node);
     QVERIFY(panel().outline().current() != nullptr);
     QCOMPARE(panel().outline().currentNode(), node);
-    panel().outline().selectNode(called("Approach robot"));
-    QCOMPARE(canvas().chosen(), called("Approach robot"));
+    panel().outline().selectNode(called("ApproachRobot"));
+    QCOMPARE(canvas().chosen(), called("ApproachRobot"));
     QTest::keyClick(&canvas(), Qt::Key_Up);
-    QCOMPARE(canvas().chosen(), graph().node(called("Approach robot")).parent);
+    QCOMPARE(canvas().chosen(), graph().node(called("ApproachRobot")).parent);
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, QPoint(3, canvas().height() - 3));
     QCOMPARE(canvas().chosen(), -1);
   }
@@ -136,7 +136,7 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     const int tree = called("RegularNavTree");
     QVERIFY(tree > 0);
     QVERIFY(graph().isFolded(tree));
-    const int inner = called("Update goal");
+    const int inner = called("UpdateGoal");
     QVERIFY(!graph().isShown(inner));
     QTest::mouseDClick(&canvas(), Qt::LeftButton, {}, canvas().centreOf(tree));
     QVERIFY(!graph().isFolded(tree));
@@ -257,7 +257,7 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     const QStringList before = rootChildren();
     drop(editor::NodePalette::xmlOf(row),
          canvas().fromGraph(QPointF(first.left() - 10, first.center().y())).toPoint());
-    QCOMPARE(rootChildren().first(), QStringLiteral("Stop movement"));
+    QCOMPARE(rootChildren().first(), QStringLiteral("StopMovement"));
     QCOMPARE(rootChildren().mid(1), before);
     QCOMPARE(canvas().chosen(), graph().childrenOf(0).front());
     const bt::NodeSpec& added = *graph().node(canvas().chosen()).node;
@@ -277,35 +277,35 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     QVERIFY(!paletteRow("ResumeMovement")->isHidden());
     QTest::keyClick(&studio().palette().search(), Qt::Key_Return);
     QCOMPARE(rootChildren().size(), before + 1);
-    QCOMPARE(rootChildren().last(), QStringLiteral("Stop movement"));
+    QCOMPARE(rootChildren().last(), QStringLiteral("StopMovement"));
     QTest::keyClicks(&studio().palette().search(), QStringLiteral("xyzzy"));
     QVERIFY(!studio().palette().list().isVisible());  // nothing matches
   }
 
   void decorator_droppedOnALeaf_isPutAroundIt() {
     open("Chloe");
-    const int leaf = called("Is robot visible");
+    const int leaf = called("IsRobotVisible");
     const int above = graph().node(leaf).parent;
     drop(editor::NodePalette::xmlOf(paletteRow("KeepRunningUntilFailure")),
          canvas().centreOf(leaf));
-    const int around = called("Keep running until failure");
+    const int around = called("KeepRunningUntilFailure");
     QVERIFY(around > 0);
     QCOMPARE(graph().node(around).parent, above);
-    QCOMPARE(graph().node(called("Is robot visible")).parent, around);
+    QCOMPARE(graph().node(called("IsRobotVisible")).parent, around);
     choosefromMenu(around, "Remove, keep children");
-    QCOMPARE(called("Keep running until failure"), -1);
+    QCOMPARE(called("KeepRunningUntilFailure"), -1);
     QCOMPARE(undoSteps(), 2);
   }
 
   void menu_wrapsReplacesAndExtracts() {
     open("Chloe");
-    click(called("Is robot visible"));
+    click(called("IsRobotVisible"));
     choosefromMenu(canvas().chosen(), "ForceSuccess");
-    QVERIFY(called("Force success") > 0);
-    click(called("Is robot visible"));
+    QVERIFY(called("ForceSuccess") > 0);
+    click(called("IsRobotVisible"));
     choosefromMenu(canvas().chosen(), "IsRobotClose");
-    QVERIFY(called("Is robot close") > 0);
-    QCOMPARE(called("Is robot visible"), -1);
+    QVERIFY(called("IsRobotClose") > 0);
+    QCOMPARE(called("IsRobotVisible"), -1);
     const int part = graph().childrenOf(0)[1];
     const std::string name = graph().node(part).node->label();
     click(part);
@@ -341,7 +341,7 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
 
   void copyAndPaste_isXmlBothWays() {
     open("Chloe");
-    click(called("Is robot visible"));
+    click(called("IsRobotVisible"));
     QTest::keyClick(&canvas(), Qt::Key_C, Qt::ControlModifier);
     const QString xml = QGuiApplication::clipboard()->text();
     QVERIFY2(xml.startsWith(QStringLiteral("<IsRobotVisible ")), qPrintable(xml));
@@ -351,7 +351,7 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     const int before = rootChildren().size();
     QTest::keyClick(&canvas(), Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(rootChildren().size(), before + 1);
-    QCOMPARE(rootChildren().last(), QStringLiteral("Is robot visible"));
+    QCOMPARE(rootChildren().last(), QStringLiteral("IsRobotVisible"));
     QGuiApplication::clipboard()->setText(QStringLiteral("<Nonsense a='1'>"));
     QTest::keyClick(&canvas(), Qt::Key_V, Qt::ControlModifier);
     QVERIFY(!studio().hint().isEmpty());
@@ -418,7 +418,7 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     QTRY_VERIFY(text.isVisible());
     const QString before = text.toPlainText();
     QVERIFY(before.contains(QStringLiteral("<IsRobotVisible ")));
-    click(called("Is robot visible"));
+    click(called("IsRobotVisible"));
     QVERIFY(text.textCursor().block().text().contains(QStringLiteral("<IsRobotVisible ")));
     text.setFocus();
     QTextCursor cursor = text.document()->find(QStringLiteral("</Fallback>"));
@@ -431,12 +431,12 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
     QTest::keyClicks(&text, QStringLiteral("/>"));
     QTRY_COMPARE(undoSteps(), 1);
     QVERIFY(studio().text().problem().isEmpty());
-    QVERIFY(called("Always failure") > 0);
+    QVERIFY(called("AlwaysFailure") > 0);
     document().undoStack().undo();
     QCOMPARE(text.toPlainText(), before);
-    QCOMPARE(called("Always failure"), -1);
+    QCOMPARE(called("AlwaysFailure"), -1);
     // and what is edited in the graph is in the text
-    click(called("Is robot visible"));
+    click(called("IsRobotVisible"));
     QTest::keyClick(&canvas(), Qt::Key_Delete);
     QVERIFY(!text.toPlainText().contains(QStringLiteral("<IsRobotVisible ")));
   }
@@ -508,7 +508,7 @@ class TreeEditorTest : public QObject, private TreeEditorHands {
   void breakpoint_fromTheMenu_isShownAtTheNode() {
     open("Chloe");
     QVERIFY(canvas().shown().breakpoints.empty());
-    choosefromMenu(called("Is robot visible"), "It starts to fail");
+    choosefromMenu(called("IsRobotVisible"), "It starts to fail");
     QCOMPARE(runner().breakpoints().size(), std::size_t{1});
     QCOMPARE(canvas().shown().breakpoints.size(), std::size_t{1});
     document().setSelection({person("Ana")});

@@ -182,7 +182,7 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
   void menu_ofAnOnlyChild_offersWhatWorks() {
     open("Chloe");
     giveTree("Chloe", "<Inverter><AlwaysSuccess/></Inverter>");
-    QTRY_VERIFY(called("Always success") == 1);
+    QTRY_VERIFY(called("AlwaysSuccess") == 1);
     QMenu menu;
     click(1);
     studio().fillMenu(menu, 1);
@@ -247,7 +247,7 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
 
   void ports_doubleClicked_areEditedInTheNode() {
     open("Chloe");
-    const int node = called("Is robot visible");
+    const int node = called("IsRobotVisible");
     const QString before = portOf(node, "distance");
     const int steps = undoSteps();
     doubleClick(node);
@@ -274,7 +274,7 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
 
   void ports_enterAndTabAndEscape_byKeysOnly() {
     open("Chloe");
-    const int node = called("Is robot visible");
+    const int node = called("IsRobotVisible");
     click(node);
     const int steps = undoSteps();
     QTest::keyClick(&canvas(), Qt::Key_Return);
@@ -307,7 +307,7 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
 
   void ports_clickElsewhere_applies() {
     open("Chloe");
-    const int node = called("Is robot visible");
+    const int node = called("IsRobotVisible");
     doubleClick(node);
     type(*fields().field("distance"), "3");
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, QPoint(3, canvas().height() - 3));
@@ -318,7 +318,7 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     document().setSelection({person("Ana")});  // The value belongs to Chloe.
     QVERIFY(!fields().isVisible());
     document().setSelection({person("Chloe")});
-    QCOMPARE(portOf(called("Is robot visible"), "distance"), text("4"));
+    QCOMPARE(portOf(called("IsRobotVisible"), "distance"), text("4"));
   }
 
   void renamedNode_tellsItsType() {
@@ -351,7 +351,7 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     QTest::keyClick(&canvas(), Qt::Key_Return);  // Its ports.
     QVERIFY(fields().isVisible());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-    QCOMPARE(rootChildren(), QStringList({text("Reactive fallback"), text("Regular nav")}));
+    QCOMPARE(rootChildren(), QStringList({text("ReactiveFallback"), text("RegularNav")}));
     const std::vector<int> below = graph().childrenOf(1);
     QCOMPARE(below.size(), std::size_t{2});
     QVERIFY2(studio().problem().isEmpty(), qPrintable(studio().problem()));
@@ -404,8 +404,8 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     const QByteArray svg = file.readAll();
     QVERIFY(svg.contains("<svg") && !svg.contains("<image"));
     QVERIFY(graph().isFolded(called("RegularNavTree")));  // Here, but not in the picture.
-    QVERIFY(svg.contains("Update goal"));
-    QVERIFY(svg.contains("Is robot visible"));
+    QVERIFY(svg.contains("UpdateGoal"));
+    QVERIFY(svg.contains("IsRobotVisible"));
   }
 
   void picture_withoutNodes_isAnError() {

@@ -323,9 +323,9 @@ void TreesProgramTest::picture_ofAnAgent_isOneVectorFile() {
   QCOMPARE(bytesOf(again), bytes);
   if (ending == text("svg")) {
     QVERIFY(!bytes.contains("<image"));  // Vectors only.
-    QVERIFY(bytes.contains("Is robot visible"));
-    QVERIFY(bytes.contains("RegularNavTree") && bytes.contains("Update goal"));  // Expanded.
-    QVERIFY(bytes.contains("#ffffff"));                                          // Light.
+    QVERIFY(bytes.contains("IsRobotVisible"));
+    QVERIFY(bytes.contains("RegularNavTree") && bytes.contains("UpdateGoal"));  // Expanded.
+    QVERIFY(bytes.contains("#ffffff"));                                         // Light.
   }
 }
 

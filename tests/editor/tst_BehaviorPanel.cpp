@@ -85,16 +85,15 @@ class BehaviorPanelTest : public QObject {
     document_.reset();
   }
 
-  void title_ofAnUnnamedNode_isItsIdInWords() {
-    const auto titleOf = [](const char* id) {
-      bt::NodeSpec node;
-      node.id = id;
-      return editor::nodeTitle(node);
-    };
-    QCOMPARE(titleOf("RunOnce"), QStringLiteral("Run once"));
-    QCOMPARE(titleOf("WouldAPlannerRecoveryHelp"), QStringLiteral("Would a planner recovery help"));
-    QCOMPARE(titleOf("IsGPSReady"), QStringLiteral("Is GPS ready"));
-    QCOMPARE(titleOf("UseXY"), QStringLiteral("Use XY"));
+  /// As in the palette, in problems and in the XML.
+  void title_isTheNameOrTheType() {
+    bt::NodeSpec node;
+    node.id = "RunOnce";
+    QCOMPARE(editor::nodeTitle(node), QStringLiteral("RunOnce"));
+    QCOMPARE(editor::nodeKindText(node), QString());
+    node.name = "Greet";
+    QCOMPARE(editor::nodeTitle(node), QStringLiteral("Greet"));
+    QCOMPARE(editor::nodeKindText(node), QStringLiteral("RunOnce"));
   }
 
   /// Between the change and the panel's own.
@@ -120,15 +119,14 @@ class BehaviorPanelTest : public QObject {
     QCOMPARE(document_->treeToRun(human(0).key).value_or(""), before);
   }
 
-  void outline_namedControls_tellTheirKindInWords() {
+  void outline_namedControls_showTheirType() {
     select(2);  // a curious one, whose tree has a control with a name
     QStringList kinds;
     QTreeWidgetItemIterator each(&panel_->outline());
     for (; *each != nullptr; ++each) {
       kinds << (*each)->data(0, editor::kSideTextRole).toString();
-      QVERIFY2(!kinds.back().contains(QStringLiteral("runonce")), qPrintable(kinds.back()));
     }
-    QVERIFY(kinds.contains(QStringLiteral("sequence")));
+    QVERIFY2(kinds.contains(QStringLiteral("Sequence")), qPrintable(kinds.join(QLatin1Char(';'))));
   }
 
   void outline_anyHeight_showsWholeRows() {
@@ -144,8 +142,8 @@ class BehaviorPanelTest : public QObject {
     select(2);  // Chloe, curious
     QCOMPARE(panel_->outline().topLevelItemCount(), 1);
     QCOMPARE(panel_->outline().topLevelItem(0)->text(0), QStringLiteral("CuriousFallback"));
-    QVERIFY(nodeCalled(QStringLiteral("Approach robot")) > 0);
-    QVERIFY(nodeCalled(QStringLiteral("Update goal")) > 0);  // of the included tree
+    QVERIFY(nodeCalled(QStringLiteral("ApproachRobot")) > 0);
+    QVERIFY(nodeCalled(QStringLiteral("UpdateGoal")) > 0);  // of the included tree
     QVERIFY(!document_->tree(human(2).key));
     select(4);  // Farid, scared: another person, another tree
     QCOMPARE(panel_->person(), human(4).key);
@@ -156,7 +154,7 @@ class BehaviorPanelTest : public QObject {
 
   void port_typed_makesAnOwnTreeAndUndoes() {
     select(2);
-    clickNode(QStringLiteral("Is robot visible"));
+    clickNode(QStringLiteral("IsRobotVisible"));
     type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
     QVERIFY(document_->tree(human(2).key));
     const bt::TreeFile file = fileOf(2);
@@ -168,7 +166,7 @@ class BehaviorPanelTest : public QObject {
 
   void port_constantAndEntry_becomeEachOther() {
     select(2);
-    clickNode(QStringLiteral("Is robot visible"));
+    clickNode(QStringLiteral("IsRobotVisible"));
     const auto distance = [this] {
       const bt::TreeFile file = fileOf(2);
       const auto& ports = file.trees[0].root.children[1].children[0].ports;
@@ -197,7 +195,7 @@ class BehaviorPanelTest : public QObject {
 
   void port_ofAnIncludedTree_cannotBeEdited() {
     select(2);
-    clickNode(QStringLiteral("Update goal"));
+    clickNode(QStringLiteral("UpdateGoal"));
     const auto* field = named<editor::TextField>(QStringLiteral("agent_id"));
     QVERIFY(field != nullptr);
     QVERIFY(!field->isEnabled());
@@ -265,7 +263,7 @@ class BehaviorPanelTest : public QObject {
 
   void ownTree_withOtherGoals_takesTheRoute() {
     select(2);
-    clickNode(QStringLiteral("Is robot visible"));
+    clickNode(QStringLiteral("IsRobotVisible"));
     type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
     editor::pushRoute(*document_, {human(2).key}, {3});
     QVERIFY(editor::personTree(*document_, human(2).key).hasDifferentGoals);
@@ -275,7 +273,7 @@ class BehaviorPanelTest : public QObject {
 
   void template_taken_isOneStep() {
     select(2);
-    clickNode(QStringLiteral("Is robot visible"));
+    clickNode(QStringLiteral("IsRobotVisible"));
     type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
     const int steps = document_->undoStack().count();
     panel_->applyTemplate(sim2d::BehaviorType::Threatening);
@@ -311,16 +309,16 @@ class BehaviorPanelTest : public QObject {
       runner_->stepOnce();
     }
     QTRY_VERIFY(runner_->newestFrame() && runner_->newestFrame()->step >= 10);
-    QTRY_VERIFY(panel_->outline().statusOf(nodeCalled(QStringLiteral("Regular nav"))) ==
+    QTRY_VERIFY(panel_->outline().statusOf(nodeCalled(QStringLiteral("RegularNav"))) ==
                 base::NodeStatus::Success);
-    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("Is goal reached"))),
+    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("IsGoalReached"))),
              base::NodeStatus::Failure);
     runner_->seek(0);
     QTRY_VERIFY(runner_->shownFrame()->step == 0);
-    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("Regular nav"))),
+    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("RegularNav"))),
              base::NodeStatus::Idle);
     runner_->reset();
-    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("Regular nav"))),
+    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("RegularNav"))),
              base::NodeStatus::Idle);
   }
 };

@@ -47,8 +47,8 @@ class TreeRefusalsTest : public QObject {
     const NodeLocation only = at({0, 0});
     QCOMPARE(editor::whyNotDuplicated(file, {only}), text("An Inverter takes one child only"));
     QCOMPARE(editor::whyNotAdded(file, at({0}), 1), text("An Inverter takes one child only"));
-    QCOMPARE(editor::whyNotMovedBy(file, only, 1), text("Always failure is the only child"));
-    QCOMPARE(editor::whyNotMovedBy(file, only, -1), text("Always failure is the only child"));
+    QCOMPARE(editor::whyNotMovedBy(file, only, 1), text("AlwaysFailure is the only child"));
+    QCOMPARE(editor::whyNotMovedBy(file, only, -1), text("AlwaysFailure is the only child"));
     QCOMPARE(editor::whyNotUnwrapped(file, at({2, 2, 0})),
              text("An Inverter takes one child only"));
   }
@@ -71,7 +71,7 @@ class TreeRefusalsTest : public QObject {
              text("A tree needs a root: replace it instead"));
     QCOMPARE(editor::whyNotDuplicated(file, {at({})}), text("A tree can have only one root"));
     QCOMPARE(editor::whyNotUnwrapped(file, at({})), text("A tree can have only one root"));
-    QCOMPARE(editor::whyNotUnwrapped(file, at({2, 0})), text("Always success has no children"));
+    QCOMPARE(editor::whyNotUnwrapped(file, at({2, 0})), text("AlwaysSuccess has no children"));
     QCOMPARE(editor::whyNotExtracted(file, at({})), text("The root already has a tree of its own"));
     QCOMPARE(editor::whyNotMovedBy(file, at({}), 1), text("The root has no siblings"));
     QCOMPARE(editor::whyNotMovedBy(file, at({0}), -1), text("not is the first child"));

@@ -48,22 +48,6 @@ QIcon markOf(const NodeStatus* status, bool isBreakpoint, const Theme& theme) {
   return status == nullptr && !isBreakpoint ? QIcon() : drawnIcon(kMarkSize, draw, {3});
 }
 
-/// "RunOnce" -> "Run once"
-QString spaced(const QString& id) {
-  const auto starts = [&id](int i) {  // The first letter of a word that is not the first one.
-    return i > 0 && i < id.size() && id[i].isUpper() &&
-           (id[i - 1].isLower() ||
-            (id[i - 1].isUpper() && i + 1 < id.size() && id[i + 1].isLower()));
-  };
-  QString words;
-  for (int i = 0; i < id.size(); ++i) {
-    const bool isAcronym = i + 1 < id.size() && id[i + 1].isUpper() && !starts(i + 1);
-    words += starts(i) ? QLatin1Char(' ') + QString(isAcronym ? id[i] : id[i].toLower())
-                       : QString(id[i]);
-  }
-  return words;
-}
-
 QString unitOf(const bt::PortSpec& port) {
   return port.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(port.unit);
 }
@@ -109,7 +93,7 @@ QString nodeKindText(const bt::NodeSpec& node) {
   if (node.isSubTree()) {
     return QObject::tr("subtree");
   }
-  return node.name.empty() ? QString() : spaced(QString::fromStdString(node.id)).toLower();
+  return node.name.empty() ? QString() : QString::fromStdString(node.id);
 }
 
 QString nodeValues(const bt::NodeSpec& node) {
@@ -152,8 +136,7 @@ std::vector<NodeStatus> statusesByNode(const sim2d::TreeStatuses& state,
 }
 
 QString nodeTitle(const bt::NodeSpec& node) {
-  const QString label = QString::fromStdString(node.label());
-  return node.name.empty() && !node.isSubTree() ? spaced(label) : label;
+  return QString::fromStdString(node.label());
 }
 
 TreeOutline::TreeOutline(const Theme& theme) : theme_(theme) {

@@ -53,9 +53,9 @@ class TreeOutline : public QTreeWidget {
   std::vector<sim2d::TreeBreakpoint> breakpoints_;
 };
 
-/// "IsRobotVisible" -> "Is robot visible"; instance names are unchanged.
+/// The name of a node, else its type, as in the palette, in problems and in the XML.
 QString nodeTitle(const bt::NodeSpec& node);
-/// The kind of control, decorator and subtree nodes, whose names alone are unclear: "run once".
+/// The type of a node with a name of its own, or "subtree"; empty: the title is the type.
 QString nodeKindText(const bt::NodeSpec& node);
 /// The constant values of a node: "5 m, 30 s".
 QString nodeValues(const bt::NodeSpec& node);
