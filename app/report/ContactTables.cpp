@@ -87,8 +87,7 @@ void addLongTable(const Table& table, const std::string& htmlClass, PageParts& p
                      std::to_string(table.rows.size()) + "; tables/" + table.name +
                      ".csv contains all.";
   }
-  parts.body += tableHtml(shown, htmlClass);
-  parts.report.tables.push_back(table);
+  parts.add(shown, table, htmlClass);
 }
 
 /// Means over runs of what the robots cost a person.

@@ -223,7 +223,7 @@ Table::Cell commandCell(const std::string& command, const std::string& button) {
   return cell;
 }
 
-std::string tableHtml(const Table& table, const std::string& htmlClass) {
+std::string tableHtml(const Table& table, const std::string& htmlClass, std::size_t number) {
   std::string head;
   for (const Table::Column& column : table.columns) {
     std::string title = escaped(column.title);
@@ -241,10 +241,12 @@ std::string tableHtml(const Table& table, const std::string& htmlClass) {
     }
     rows += element("tr", "", cells) + "\n";
   }
+  const std::string label =
+      number > 0 ? element("b", "", "Table " + std::to_string(number) + ".") + " " : std::string();
   constexpr std::size_t kMostOnPaper = 10;  // columns that fit on paper
   const char* const many = table.columns.size() > kMostOnPaper ? " many" : "";
   return "<div class=\"wide\"><table class=\"sortable " + htmlClass + many + "\">\n" +
-         element("caption", "", escaped(table.caption)) +
+         element("caption", "", label + escaped(table.caption)) +
          element("thead", "", element("tr", "", head)) + "\n<tbody>\n" + rows +
          "</tbody></table></div>\n";
 }

@@ -70,7 +70,9 @@ struct Table {
 Table::Cell numberCell(const std::string& text, double value);
 /// A cell with a command line; `button`: markup before it.
 Table::Cell commandCell(const std::string& command, const std::string& button = {});
-std::string tableHtml(const Table& table, const std::string& htmlClass = {});
+/// `number`: "Table 3." before the caption; 0: none.
+std::string tableHtml(const Table& table, const std::string& htmlClass = {},
+                      std::size_t number = 0);
 std::string tableLatex(const Table& table);  // booktabs
 /// A GitHub table: the caption in bold, then the rows; numbers are right-aligned.
 std::string tableMarkdown(const Table& table);

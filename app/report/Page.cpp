@@ -89,7 +89,7 @@ class PageBuilder {
 
   void writePage() {
     parts_.report.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
-    parts_.report.html = parts_.page(study_.title, leadText(), notes_, hasPlayer_);
+    parts_.report.html = parts_.page(study_.title, leadText() + tablesText(), notes_, hasPlayer_);
   }
 
   /// Finds the runs that ended with an error or without success.
@@ -133,6 +133,22 @@ class PageBuilder {
     return counted(study_.runCount(), "run") + " of " + counted(scenarios.size(), "scenario") +
            " with " + counted(seeds.size(), "seed") +
            (study_.options.size() > 1 ? ", " + compared : "") + ".";
+  }
+
+  /// Names the main tables: " Table 1: means and rates; Table 3: paired tests."
+  std::string tablesText() const {
+    constexpr std::pair<const char*, const char*> kTables[] = {
+        {"results", "means and rates"},
+        {"pairs", "paired tests"},
+        {"pairs_by_case", "paired tests by case"},
+        {"failures", "runs without success"}};
+    std::vector<std::string> words;
+    for (const auto& [name, what] : kTables) {
+      if (const std::size_t number = parts_.tableNumber(name); number > 0) {
+        words.push_back("Table " + std::to_string(number) + ": " + what);
+      }
+    }
+    return words.empty() ? std::string() : " " + base::join(words, "; ") + ".";
   }
 
   void writeNotes() {
@@ -251,12 +267,9 @@ class PageBuilder {
     }
     parts_.section("pairs", "Paired comparisons");
     parts_.add(differencesFigure(study_, comparisons_));
-    const Table all = pairsTable(study_, comparisons_, true);
-    parts_.body += tableHtml(pairsTable(study_, comparisons_, false));
-    parts_.report.tables.push_back(all);
+    parts_.add(pairsTable(study_, comparisons_, false), pairsTable(study_, comparisons_, true));
     if (const auto byCase = casePairsTable(study_, comparisons_, false)) {
-      parts_.body += tableHtml(*byCase);
-      parts_.report.tables.push_back(*casePairsTable(study_, comparisons_, true));
+      parts_.add(*byCase, *casePairsTable(study_, comparisons_, true));
     }
     const std::optional<Table> family = familyTable(study_, comparisons_);
     if (family) {
@@ -313,9 +326,9 @@ class PageBuilder {
                ? ""
                : " It lacks the options that the experiment sets for all runs (duration, dt …), "
                  "because the experiment file is missing or has changed.");
-      parts_.body += tableHtml(table, "failures");
-      parts_.report.tables.push_back(failuresTable(study_, failures_, {}));
-      parts_.report.tables.back().caption = "Runs without success.";
+      Table all = failuresTable(study_, failures_, {});
+      all.caption = "Runs without success.";
+      parts_.add(table, std::move(all), "failures");
     }
     if (pictures_.kept == 0) {
       parts_.body += paragraph(
@@ -341,8 +354,7 @@ class PageBuilder {
   void writeTrees() {
     if (const std::optional<Table> table = coverageTable(study_.trees, false)) {
       parts_.section("trees", "Behaviour trees");
-      parts_.body += tableHtml(*table);
-      parts_.report.tables.push_back(*coverageTable(study_.trees, true));
+      parts_.add(*table, *coverageTable(study_.trees, true));
     }
   }
 

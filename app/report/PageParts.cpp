@@ -1,5 +1,7 @@
 #include "app/report/PageParts.h"
 
+#include <algorithm>
+
 #include "app/report/PlayerPage.h"
 
 namespace report {
@@ -20,11 +22,21 @@ void PageParts::add(const std::optional<Figure>& figure) {
 }
 
 void PageParts::add(const std::optional<Table>& table, const std::string& htmlClass) {
-  if (!table) {
-    return;
+  if (table) {
+    add(*table, *table, htmlClass);
   }
-  report.tables.push_back(*table);
-  body += tableHtml(*table, htmlClass);
+}
+
+void PageParts::add(const Table& shown, Table all, const std::string& htmlClass) {
+  report.tables.push_back(std::move(all));
+  body += tableHtml(shown, htmlClass, report.tables.size());
+}
+
+std::size_t PageParts::tableNumber(const std::string& name) const {
+  const auto found = std::find_if(report.tables.begin(), report.tables.end(),
+                                  [&name](const Table& table) { return table.name == name; });
+  return found != report.tables.end() ? static_cast<std::size_t>(found - report.tables.begin()) + 1
+                                      : 0;
 }
 
 std::string PageParts::page(const std::string& title, const std::string& lead,

@@ -76,6 +76,7 @@ struct Study {
   Results results;
   std::vector<Metric> metrics;     // one per key of results
   std::vector<std::size_t> shown;  // indices of the displayed metrics, in order
+  bool hasChosenMetrics = false;   // the user has chosen `shown`
   std::optional<std::pair<std::size_t, std::size_t>> pareto;  // metrics
   double level = 0.95;
   int resamples = 2000;

@@ -140,7 +140,8 @@ class StudyBuilder {
         problems_.push_back(base::error("report.no-better", {key}, "--weights"));
       }
     }
-    if (!studyOptions_.metrics.empty()) {
+    study_.hasChosenMetrics = !studyOptions_.metrics.empty();
+    if (study_.hasChosenMetrics) {
       return;
     }
     for (const char* key : kUsualMetrics) {

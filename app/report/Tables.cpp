@@ -14,90 +14,10 @@ namespace {
 using Cell = Table::Cell;
 
 constexpr double kManyPairs = 9999.0;
-constexpr const char* kConstant = "constant";  // instead of an interval
 constexpr const char* kPowerText =
     "Enough: number of pairs required to detect a difference such as the observed one. Detectable: "
     "smallest difference that this number of pairs can detect (both: power 80 %, level 5 % without "
     "adjustment).";
-
-std::string comparedName(const Study& study) {
-  return study.compared.empty() ? "Option" : study.compared;
-}
-
-std::size_t runsOf(const Study& study, std::size_t option) {
-  return static_cast<std::size_t>(std::count(study.optionOf.begin(), study.optionOf.end(), option));
-}
-
-/// "all 12 tests of this table"
-std::string allTests(std::size_t count) {
-  return count == 1 ? "the only test" : "all " + std::to_string(count) + " tests";
-}
-
-/// The number of runs with a value, if some have none.
-std::string countNote(const Study& study, const Estimate& estimate, std::size_t option) {
-  const std::size_t runs = runsOf(study, option);
-  return static_cast<std::size_t>(estimate.count()) < runs
-             ? "n = " + std::to_string(estimate.count())
-             : std::string();
-}
-
-/// The interval of a value of a metric, as estimateText(): "[1.21, 1.80]".
-std::string estimateInterval(const Metric& metric, const Interval& interval, int decimals) {
-  return metric.isRate ? intervalText(interval, 0, 100.0) : intervalText(interval, decimals);
-}
-
-Cell estimateCell(const Study& study, const MetricComparison& comparison, std::size_t option,
-                  bool median) {
-  const Metric& metric = study.metrics[comparison.metric];
-  const Estimate& estimate = comparison.estimates[option];
-  const double value = median ? estimate.median : estimate.mean;
-  const Interval& interval = median ? estimate.medianInterval : estimate.interval;
-  const int decimals = decimalsFor(value, interval);
-  Cell cell;
-  cell.text = estimateText(metric, value, decimals);
-  cell.below = estimate.isConstant ? kConstant : estimateInterval(metric, interval, decimals);
-  cell.note = countNote(study, estimate, option);
-  cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
-  cell.bold = !median && comparison.isBestOrTied(option);
-  cell.mark = !median && comparison.relativeToBest[option] == RelativeToBest::Worse ? "†" : "";
-  return cell;
-}
-
-/// The composite per option: the weighted, normalized means. Undefined for options that never
-/// succeed.
-Numbers compositeOf(const Study& study,
-                    const std::vector<std::pair<std::string, double>>& weights) {
-  std::vector<statistics::Criterion> criteria;
-  const std::vector<bool> succeeds = succeedingOptions(study);
-  for (const auto& [key, weight] : weights) {
-    const std::size_t metric = study.results.keyAt(key);
-    std::vector<Numbers> values(study.options.size());
-    for (std::size_t run = 0; run < study.runCount(); ++run) {
-      const double value = valueOf(study, metric, run);
-      if (!std::isnan(value) && succeeds[study.optionOf[run]]) {
-        values[study.optionOf[run]].push_back(value);
-      }
-    }
-    statistics::Criterion criterion;
-    for (const Numbers& each : values) {
-      criterion.values.push_back(statistics::mean(each));
-    }
-    criterion.sense =
-        study.metrics[metric].sense > 0 ? statistics::Sense::Higher : statistics::Sense::Lower;
-    criterion.weight = weight;
-    criteria.push_back(std::move(criterion));
-  }
-  return statistics::composite(criteria);
-}
-
-std::string weightsText(const std::vector<std::pair<std::string, double>>& weights) {
-  std::vector<std::string> words;
-  words.reserve(weights.size());
-  for (const auto& [key, weight] : weights) {
-    words.push_back(key + " " + base::formatDouble(weight));
-  }
-  return base::join(words, ", ");
-}
 
 /// A p value; files contain all its digits.
 Cell pValueCell(double p, bool bold = false) {
@@ -199,34 +119,6 @@ double enoughBlocks(const MetricComparison& comparison) {
                         : statistics::kUndefined;
 }
 
-/// Explains "constant"; empty without such a cell.
-std::string constantText(const Comparisons& comparisons) {
-  for (const MetricComparison& comparison : comparisons) {
-    if (std::any_of(comparison.estimates.begin(), comparison.estimates.end(),
-                    [](const Estimate& estimate) { return estimate.isConstant; })) {
-      return " Constant: all runs have this value, so there is no interval.";
-    }
-  }
-  return {};
-}
-
-/// "Success 12 %, Path length [m] 0.62": the largest of the differences that the listed pairs of a
-/// metric can detect. Empty if there are none.
-std::string detectableText(const Study& study, const Comparisons& comparisons) {
-  std::vector<std::string> words;
-  for (const MetricComparison& comparison : comparisons) {
-    double most = statistics::kUndefined;
-    for (const PairResult* pair : shownPairs(comparison)) {
-      most = std::isnan(most) ? pair->detectable : std::max(most, pair->detectable);
-    }
-    const Metric& metric = study.metrics[comparison.metric];
-    if (!std::isnan(most)) {
-      words.push_back(titleOf(metric) + " " + estimateText(metric, most, decimalsFor(most)));
-    }
-  }
-  return base::join(words, ", ");
-}
-
 std::vector<std::string> summaryRow(const Study& study, std::size_t metric, const Numbers& values) {
   const Metric& what = study.metrics[metric];
   const Numbers five = statistics::quantiles(values, {0.0, 0.25, 0.5, 0.75, 1.0});
@@ -245,80 +137,20 @@ std::vector<std::string> summaryRow(const Study& study, std::size_t metric, cons
 
 }  // namespace
 
+std::string comparedName(const Study& study) {
+  return study.compared.empty() ? "Option" : study.compared;
+}
+
+std::string allTests(std::size_t count) {
+  return count == 1 ? "the only test" : "all " + std::to_string(count) + " tests";
+}
+
+std::string estimateInterval(const Metric& metric, const Interval& interval, int decimals) {
+  return metric.isRate ? intervalText(interval, 0, 100.0) : intervalText(interval, decimals);
+}
+
 std::string estimateText(const Metric& metric, double value, int decimals) {
   return metric.isRate && !std::isnan(value) ? percentText(value) : numberText(value, decimals);
-}
-
-Table resultsTable(const Study& study, const Comparisons& comparisons,
-                   const std::vector<std::pair<std::string, double>>& weights) {
-  Table table;
-  table.name = "results";
-  table.columns = {{comparedName(study), {}, false}, {"Runs", {}, true}};
-  for (const MetricComparison& comparison : comparisons) {
-    const Metric& metric = study.metrics[comparison.metric];
-    table.columns.push_back({metric.name, metric.unit == "-" ? "" : metric.unit, true});
-  }
-  const Numbers composite = compositeOf(study, weights);
-  if (!weights.empty()) {
-    table.columns.push_back({"Composite", {}, true});
-  }
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    std::vector<Cell> row = {{study.options[option]}, {std::to_string(runsOf(study, option))}};
-    for (const MetricComparison& comparison : comparisons) {
-      row.push_back(estimateCell(study, comparison, option, false));
-    }
-    if (!weights.empty()) {
-      row.push_back({numberText(composite[option], 2)});
-    }
-    table.rows.push_back(std::move(row));
-  }
-  table.caption = "Means (for rates: shares of runs) with confidence intervals, level " +
-                  levelText(study.level) + "." + constantText(comparisons);
-  if (study.options.size() > 1) {
-    table.caption +=
-        " Bold: best. †: significantly worse than the best on the same cases and seeds (p < 0.05, "
-        "adjusted with Holm's method over " +
-        allTests(testCounts(comparisons).pairs) + ").";
-    const auto hasFailure = [](const MetricComparison& each) {
-      return std::find(each.succeeds.begin(), each.succeeds.end(), false) != each.succeeds.end();
-    };
-    if (std::any_of(comparisons.begin(), comparisons.end(), hasFailure)) {
-      table.caption += " Options that never succeed are never marked as best.";
-    }
-    const std::string detectable = detectableText(study, comparisons);
-    if (!detectable.empty()) {
-      table.caption +=
-          " Smallest differences that pairs of these runs can detect (power 80 %): " + detectable +
-          ".";
-    }
-  }
-  if (!weights.empty()) {
-    table.caption += " Composite score with weights: " + weightsText(weights) +
-                     "; each metric is scaled from 0 (worst option) to 1 (best option).";
-  }
-  return table;
-}
-
-std::optional<Table> mediansTable(const Study& study, const Comparisons& comparisons) {
-  Table table;
-  table.name = "medians";
-  table.columns = {{comparedName(study), {}, false}};
-  for (const std::string& option : study.options) {
-    table.rows.push_back({{option}});
-  }
-  for (const MetricComparison& comparison : comparisons) {
-    const Metric& metric = study.metrics[comparison.metric];
-    if (metric.isRate) {
-      continue;
-    }
-    table.columns.push_back({metric.name, metric.unit == "-" ? "" : metric.unit, true});
-    for (std::size_t option = 0; option < study.options.size(); ++option) {
-      table.rows[option].push_back(estimateCell(study, comparison, option, true));
-    }
-  }
-  table.caption = "Medians with confidence intervals of at least " + levelText(study.level) +
-                  " between order statistics.";
-  return table.columns.size() > 1 ? std::optional(std::move(table)) : std::nullopt;
 }
 
 Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {

@@ -13,7 +13,8 @@
 namespace report {
 
 /// Options x metrics: means or rates with intervals, the best in bold, "†" if an option is worse.
-/// With `weights`, adds a composite column.
+/// With `weights`, adds a composite column. Without chosen metrics, those that are 0 or undefined
+/// in all runs are only named, except success.
 Table resultsTable(const Study& study, const Comparisons& comparisons,
                    const std::vector<std::pair<std::string, double>>& weights);
 /// Medians instead of means. Nothing: only rates are displayed.
@@ -34,5 +35,12 @@ std::string allMetricsCsv(const Study& study);
 
 /// A formatted value: "1.50", "93 %".
 std::string estimateText(const Metric& metric, double value, int decimals);
+/// The interval of a value, likewise: "[1.21, 1.80]".
+std::string estimateInterval(const Metric& metric, const Interval& interval, int decimals);
+constexpr char kConstant[] = "constant";  // instead of an interval
+/// The heading of the options: the compared path.
+std::string comparedName(const Study& study);
+/// "all 12 tests of this table"
+std::string allTests(std::size_t count);
 
 }  // namespace report

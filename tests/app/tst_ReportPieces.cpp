@@ -457,6 +457,47 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(found.pairs[0].requiredPairs, 6.0);
   }
 
+  /// A column of zeros is only named, unless it was asked for; success is always shown.
+  void resultsTable_columnOfZeros_isOnlyNamed() {
+    Study study = smallStudy();
+    study.results.metrics[0] = {0.0, 0.0, 0.0, 0.0, 0.0};
+    const auto table = [&study] {
+      return resultsTable(study, {compare(study, 0, blocksOf(study))}, {});
+    };
+    QCOMPARE(table().columns.size(), std::size_t{2});
+    QCOMPARE(table().rows[0].size(), std::size_t{2});
+    QVERIFY(table().caption.find("0 or undefined in all runs: Time.") != std::string::npos);
+    QVERIFY(!mediansTable(study, {compare(study, 0, blocksOf(study))}));
+    study.hasChosenMetrics = true;
+    QCOMPARE(table().columns.size(), std::size_t{3});
+    study.hasChosenMetrics = false;
+    study.results.metrics[0][4] = 1.0;
+    QCOMPARE(table().columns.size(), std::size_t{3});
+    study.metrics = {{"success", "Success", "-", true, 1}};
+    study.results.metrics[0][4] = 0.0;
+    QCOMPARE(table().columns.size(), std::size_t{3});
+  }
+
+  /// 20 ± 8 alone would have one digit after the point, 1.015 ± 0.005 has three.
+  void resultsTable_column_hasTheSameDigits() {
+    Study study = smallStudy();
+    study.results.metrics[0] = {10.0, 20.0, 30.0, 1.01, 1.02};
+    const Table table = resultsTable(study, {compare(study, 0, blocksOf(study))}, {});
+    QCOMPARE(table.rows[0][2].text, std::string("20.000"));
+    QCOMPARE(table.rows[1][2].text, std::string("1.015"));
+    study.results.metrics[0] = {10e6, 20e6, 30e6, 1.01, 1.02};
+    QCOMPARE(resultsTable(study, {compare(study, 0, blocksOf(study))}, {}).rows[0][2].text,
+             std::string("20000000"));
+  }
+
+  void tableHtml_number_isBeforeTheCaption() {
+    Table table;
+    table.caption = "Means.";
+    QVERIFY(tableHtml(table, {}, 2).find("<caption><b>Table 2.</b> Means.</caption>") !=
+            std::string::npos);
+    QVERIFY(tableHtml(table).find("<caption>Means.</caption>") != std::string::npos);
+  }
+
   /// Three counts of 0 show nothing about the width of an interval; 0 of 3 runs do: Wilson's end is
   /// z² / (n + z²) = 3.8415 / 6.8415.
   void compare_equalValues_haveNoInterval() {

@@ -146,6 +146,13 @@ class ReportProgramTest : public QObject {
                               "'robot1.planner=b<&\"eta'"))
                  .isEmpty());
     QCOMPARE(textsOf(page, "h1"), QStringList(text("Planners compared")));
+    const QStringList captions = textsOf(page, "caption");
+    for (int k = 0; k < captions.size(); ++k) {
+      QVERIFY2(captions[k].startsWith(text("Table %1. ").arg(k + 1)), qPrintable(captions[k]));
+    }
+    const QStringList lead = textsOf(page, "p").filter(text("Table 1: means and rates"));
+    QVERIFY2(lead.size() == 1 && lead[0].contains(text("Table 3: paired tests; ")),
+             qPrintable(lead.join(text("|"))));
     for (const char* outer : {"http://", "https://", "src=", "@import", "url("}) {  // no network
       QByteArray rest = page;
       rest.replace("http://www.w3.org/", "");
