@@ -60,12 +60,20 @@ class TableReader {
       hasGroups_ = hasGroups_ || model.hasChildren(model.index(row, 0));
     }
     readRows({}, {});
+    addColumns(model);
+    dropEmptyColumns();
+  }
+
+  const Table& table() const { return table_; }
+
+ private:
+  void addColumns(const QAbstractItemModel& model) {
     if (hasGroups_) {
       table_.columns.push_back({QObject::tr("Group").toStdString(), {}, false});
     }
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const QVariant title = model.headerData(columns_[k], Qt::Horizontal);
-      const std::size_t cell = k + (hasGroups_ ? 1 : 0);
+    for (const int column : columns_) {
+      const QVariant title = model.headerData(column, Qt::Horizontal);
+      const std::size_t cell = table_.columns.size();
       const auto isNumber = [cell](const std::vector<Table::Cell>& row) {
         const QString text = QString::fromStdString(row[cell].text);
         return text.isEmpty() || looksLikeNumber(text);
@@ -75,13 +83,10 @@ class TableReader {
                                 {},
                                 std::all_of(table_.rows.begin(), table_.rows.end(), isNumber) &&
                                     !std::all_of(table_.rows.begin(), table_.rows.end(), isEmpty)});
+      table_.columns.push_back({QObject::tr("Key").toStdString(), {}, false});
     }
-    dropEmptyColumns();
   }
 
-  const Table& table() const { return table_; }
-
- private:
   void readRows(const QModelIndex& parent, const QString& group) {
     const QAbstractItemModel& model = *view_.model();
     for (int row = 0; row < model.rowCount(parent); ++row) {
@@ -108,16 +113,20 @@ class TableReader {
       cell.text = at.data().toString().toStdString();
       cell.csv = at.data(kExactValueRole).toString().toStdString();
       cells.push_back(std::move(cell));
+      cells.push_back({at.data(kSavedKeyRole).toString().toStdString()});
     }
     table_.rows.push_back(std::move(cells));
   }
 
-  /// Columns without a title and text contain pictures or buttons only.
+  /// A column of keys follows each column of the view.
+  bool isKeyColumn(std::size_t column) const { return column % 2 == (hasGroups_ ? 0 : 1); }
+
+  /// Columns without text contain pictures or buttons only, or no keys.
   void dropEmptyColumns() {
     for (std::size_t k = table_.columns.size(); k-- > 0;) {
       const bool isEmpty = std::all_of(table_.rows.begin(), table_.rows.end(),
                                        [k](const auto& row) { return row[k].text.empty(); });
-      if (!isEmpty || table_.rows.empty()) {
+      if (!isEmpty || (table_.rows.empty() && !isKeyColumn(k))) {
         continue;
       }
       const auto at = static_cast<std::ptrdiff_t>(k);

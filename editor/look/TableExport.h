@@ -7,6 +7,10 @@ namespace editor {
 /// Data role of a cell's exact value in saved tables; without it the displayed text is saved.
 constexpr int kExactValueRole = Qt::UserRole + 102;
 
+/// Data role of the key of the thing that a cell names, such as a metric; saved tables have it in a
+/// column "Key" beside the label.
+constexpr int kSavedKeyRole = Qt::UserRole + 103;
+
 enum class TableFormat { Csv, Latex, Markdown };
 
 /// The visible rows and columns of a list, tree or table as the text of a file. Rows of a tree that

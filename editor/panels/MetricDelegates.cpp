@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/look/TableExport.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {
@@ -78,7 +79,7 @@ int MetricNameDelegate::room(const QModelIndex& index) const {
 void SparklineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const {
   QStyledItemDelegate::paint(painter, option, index);
-  const std::string key = index.siblingAtColumn(0).data(kMetricKeyRole).toString().toStdString();
+  const std::string key = index.siblingAtColumn(0).data(kSavedKeyRole).toString().toStdString();
   const app::MetricTimeSeries* curve = curveOf(feed_.snapshot(), key);
   if (curve == nullptr) {
     return;

@@ -5,9 +5,6 @@
 
 namespace editor {
 
-/// Data role of a metric's key in the rows of tables.
-constexpr int kMetricKeyRole = Qt::UserRole;
-
 /// Draws the names of metrics in a tree with several levels; rows are as tall as the wrapped name.
 class MetricNameDelegate : public QStyledItemDelegate {
  public:

@@ -32,7 +32,7 @@ void setMeasured(QTreeWidgetItem* row, bool chosen) {
 }
 
 std::string keyOf(const QTreeWidgetItem& row) {
-  return row.data(MetricsTable::NameColumn, kMetricKeyRole).toString().toStdString();
+  return row.data(MetricsTable::NameColumn, kSavedKeyRole).toString().toStdString();
 }
 
 /// Rows with check boxes are metrics of the registry.
@@ -120,7 +120,12 @@ void MetricsTable::styleTree() {
   styleList(*tree_, tr("Metrics"));
   makeTableSavable(*tree_, tr("Metrics"));
   tree_->setColumnCount(FirstPersonColumn);
-  tree_->setHeaderLabels({tr("Metric"), tr("Now"), tr("Unit"), tr("Since start")});
+  tree_->setHeaderLabels({tr("Metric"), tr("Since start"), tr("Unit"), tr("Over time")});
+  tree_->headerItem()->setToolTip(NowColumn,
+                                  tr("The value from the start of the run to the shown time"));
+  tree_->headerItem()->setToolTip(
+      SparklineColumn, tr("The curve of the values per step, or of the values since the start if "
+                          "the metric has none per step"));
   tree_->headerItem()->setTextAlignment(NowColumn, kNumberAlignment);
   tree_->setWordWrap(true);
   tree_->setIndentation(kMetricIndent);
@@ -180,7 +185,7 @@ QTreeWidgetItem* MetricsTable::addRow(QTreeWidgetItem* parent, const metrics::Me
   row->setText(UnitColumn, QString::fromStdString(info.unit));
   row->setTextAlignment(NowColumn, kNumberAlignment);
   row->setTextAlignment(UnitColumn, kTextAlignment);
-  row->setData(NameColumn, kMetricKeyRole, QString::fromStdString(info.key));
+  row->setData(NameColumn, kSavedKeyRole, QString::fromStdString(info.key));
   row->setToolTip(NameColumn, descriptionOf(info));
   rowsByKey_[info.key] = row;
   return row;

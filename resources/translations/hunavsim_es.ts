@@ -5546,6 +5546,10 @@ Elegir qué muestra el mapa</translation>
         <source>The run and its branches (%1 runs in total) will be discarded.</source>
         <translation>Se descartarán la ejecución y sus ramas (%1 ejecuciones en total).</translation>
     </message>
+    <message>
+        <source>Key</source>
+        <translation>Clave</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -8599,10 +8603,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Todos</translation>
     </message>
     <message>
-        <source>Success</source>
-        <translation>Éxito</translation>
-    </message>
-    <message>
         <source>points</source>
         <translation>puntos</translation>
     </message>
@@ -9946,10 +9946,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Métrica</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>Unidad</translation>
-    </message>
-    <message>
         <source>Compared</source>
         <translation>Comparado</translation>
     </message>
@@ -9972,6 +9968,10 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>Start a run to branch from it or to compare it with recorded runs.</source>
         <translation>Inicie una ejecución para ramificarla o compararla con ejecuciones grabadas.</translation>
+    </message>
+    <message>
+        <source>Values of whole runs</source>
+        <translation>Valores de las ejecuciones completas</translation>
     </message>
 </context>
 <context>
@@ -10716,6 +10716,13 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     </message>
 </context>
 <context>
+    <name>editor::MetricPlot</name>
+    <message>
+        <source>Curve: %1</source>
+        <translation>Curva: %1</translation>
+    </message>
+</context>
+<context>
     <name>editor::MetricsDock</name>
     <message>
         <source>Metrics appear when a simulation runs: press Space.</source>
@@ -10777,10 +10784,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Métrica</translation>
     </message>
     <message>
-        <source>Now</source>
-        <translation>Ahora</translation>
-    </message>
-    <message>
         <source>Unit</source>
         <translation>Unidad</translation>
     </message>
@@ -10819,6 +10822,18 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>needs a robot</source>
         <translation>necesita un robot</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>En el tiempo</translation>
+    </message>
+    <message>
+        <source>The value from the start of the run to the shown time</source>
+        <translation>El valor desde el inicio de la ejecución hasta el instante mostrado</translation>
+    </message>
+    <message>
+        <source>The curve of the values per step, or of the values since the start if the metric has none per step</source>
+        <translation>La curva de los valores por paso, o de los valores desde el inicio si la métrica no tiene valores por paso</translation>
     </message>
 </context>
 <context>

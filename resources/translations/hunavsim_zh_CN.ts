@@ -5546,6 +5546,10 @@ Choose what the map shows</source>
         <source>The run and its branches (%1 runs in total) will be discarded.</source>
         <translation>运行及其分支（共 %1 个运行）将被放弃。</translation>
     </message>
+    <message>
+        <source>Key</source>
+        <translation>键</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>
@@ -8599,10 +8603,6 @@ For each seed, all planners run with the same people.</source>
         <translation>全部</translation>
     </message>
     <message>
-        <source>Success</source>
-        <translation>成功</translation>
-    </message>
-    <message>
         <source>points</source>
         <translation>个百分点</translation>
     </message>
@@ -9946,10 +9946,6 @@ For each seed, all planners run with the same people.</source>
         <translation>指标</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>单位</translation>
-    </message>
-    <message>
         <source>Compared</source>
         <translation>比较范围</translation>
     </message>
@@ -9972,6 +9968,10 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>Start a run to branch from it or to compare it with recorded runs.</source>
         <translation>启动一个运行，以便从中创建分支或与已记录的运行进行比较。</translation>
+    </message>
+    <message>
+        <source>Values of whole runs</source>
+        <translation>完整运行的值</translation>
     </message>
 </context>
 <context>
@@ -10716,6 +10716,13 @@ For each seed, all planners run with the same people.</source>
     </message>
 </context>
 <context>
+    <name>editor::MetricPlot</name>
+    <message>
+        <source>Curve: %1</source>
+        <translation>曲线：%1</translation>
+    </message>
+</context>
+<context>
     <name>editor::MetricsDock</name>
     <message>
         <source>Metrics appear when a simulation runs: press Space.</source>
@@ -10777,10 +10784,6 @@ For each seed, all planners run with the same people.</source>
         <translation>指标</translation>
     </message>
     <message>
-        <source>Now</source>
-        <translation>当前</translation>
-    </message>
-    <message>
         <source>Unit</source>
         <translation>单位</translation>
     </message>
@@ -10819,6 +10822,18 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>needs a robot</source>
         <translation>需要机器人</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>随时间</translation>
+    </message>
+    <message>
+        <source>The value from the start of the run to the shown time</source>
+        <translation>从运行开始到所示时刻的值</translation>
+    </message>
+    <message>
+        <source>The curve of the values per step, or of the values since the start if the metric has none per step</source>
+        <translation>每步值的曲线；若指标没有每步值，则为自开始以来的值的曲线</translation>
     </message>
 </context>
 <context>

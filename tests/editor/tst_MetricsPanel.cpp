@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "editor/look/TableExport.h"
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/runs/Playback.h"
@@ -40,7 +41,7 @@ sim2d::Scenario passing() {
 /// The row of a metric; null when it is not in the table.
 QTreeWidgetItem* rowOf(const MetricsDock& dock, const QString& key) {
   for (QTreeWidgetItemIterator each(&dock.table().tree()); *each != nullptr; ++each) {
-    if ((*each)->data(0, Qt::UserRole) == key) {
+    if ((*each)->data(0, editor::kSavedKeyRole) == key) {
       return *each;
     }
   }
@@ -309,7 +310,7 @@ class MetricsPanelTest : public QObject {
     QVERIFY(perStep > 0);
     run.dock.show();
     clickMetric(run.dock, QStringLiteral("path_length"));
-    QCOMPARE(run.dock.plot().unitText(), QStringLiteral("so far · m"));
+    QCOMPARE(run.dock.plot().unitText(), QStringLiteral("Curve: so far · m"));
     run.dock.table().setCurrentKey("minimum_distance_to_people");
     QVERIFY(!curves.at("path_length").isPerSample);
   }

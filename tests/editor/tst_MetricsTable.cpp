@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "editor/look/TableExport.h"
 #include "editor/panels/MetricsDock.h"
 
 using editor::MetricsTable;
@@ -8,7 +9,7 @@ namespace {
 
 void setChosen(const MetricsTable& panel, const QString& key, bool chosen) {
   for (QTreeWidgetItemIterator each(&panel.tree()); *each != nullptr; ++each) {
-    if ((*each)->data(0, Qt::UserRole) == key) {
+    if ((*each)->data(0, editor::kSavedKeyRole) == key) {
       (*each)->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
     }
   }

@@ -84,6 +84,30 @@ class TableExportTest : public QObject {
                             "Social,Social a,1.5\n"));
   }
 
+  void text_ofKeyedRows_hasTheKeysBesideTheLabels_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("CSV") << static_cast<int>(TableFormat::Csv)
+                         << "Group,Metric,Key,Now\nSafety,Contacts,contacts,2\nSafety,Own,,1\n";
+    QTest::newRow("Markdown") << static_cast<int>(TableFormat::Markdown)
+                              << "| Safety | Contacts | contacts | 2 |\n";
+    QTest::newRow("LaTeX") << static_cast<int>(TableFormat::Latex)
+                           << "Safety & Contacts & contacts & 2";
+  }
+  void text_ofKeyedRows_hasTheKeysBesideTheLabels() {
+    QFETCH(int, format);
+    QFETCH(QString, expected);
+    QTreeWidget tree;
+    tree.setHeaderLabels({QStringLiteral("Metric"), QStringLiteral("Now")});
+    auto* group = new QTreeWidgetItem(&tree, {QStringLiteral("Safety")});
+    auto* row = new QTreeWidgetItem(group, {QStringLiteral("Contacts"), QStringLiteral("2")});
+    row->setData(0, editor::kSavedKeyRole, QStringLiteral("contacts"));
+    new QTreeWidgetItem(group, {QStringLiteral("Own"), QStringLiteral("1")});
+    const QString text =
+        editor::tableText(tree, QStringLiteral("Metrics"), static_cast<TableFormat>(format));
+    QVERIFY2(text.contains(expected), qPrintable(text));
+  }
+
   void menu_ofATable_copiesItForSpreadsheets() {
     const auto table = pets();
     editor::makeTableSavable(*table, QStringLiteral("Pets"));

@@ -59,7 +59,7 @@ double marginPlace(const GateOutput::Metric& metric) {
 void fillGateRow(QTableWidget& table, int row, const GateOutput::Metric& metric,
                  const editor::Theme& theme) {
   const QString unit = unitOfGate(metric.differenceUnit);
-  table.setItem(row, GateMetricColumn, studyCell(outputMetricTitle(metric.label), true));
+  table.setItem(row, GateMetricColumn, metricCell(metric.label));
   table.item(row, GateMetricColumn)->setToolTip(QString::fromStdString(metric.label));
   table.setItem(row, GateBase, studyCell(gateValue(metric, metric.base), false));
   table.setItem(row, GateCandidate, studyCell(gateValue(metric, metric.candidate), false));

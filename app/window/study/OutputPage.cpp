@@ -9,6 +9,7 @@
 #include "app/window/study/StudyTable.h"
 #include "editor/look/CoreText.h"
 #include "editor/look/Form.h"
+#include "editor/look/TableExport.h"
 
 namespace app {
 
@@ -71,6 +72,12 @@ QString outputMetricTitle(const std::string& label, bool withUnit) {
   }
   const bool hasUnit = withUnit && info && !info->unit.empty() && info->unit != "-";
   return hasUnit ? QStringLiteral("%1 [%2]").arg(title, QString::fromStdString(info->unit)) : title;
+}
+
+QTableWidgetItem* metricCell(const std::string& label, bool withUnit) {
+  QTableWidgetItem* cell = studyCell(outputMetricTitle(label, withUnit), true);
+  cell->setData(editor::kSavedKeyRole, QString::fromStdString(label));
+  return cell;
 }
 
 QString outputNumber(double value, const statistics::Interval& interval) {

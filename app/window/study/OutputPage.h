@@ -66,6 +66,8 @@ QString coverHeadline(const report::CoverOutput& output);
 /// The title of a metric, "Path length [m]"; of "KEY>NUMBER": "… (more than NUMBER)". `withUnit`
 /// false: without the unit.
 QString outputMetricTitle(const std::string& label, bool withUnit = true);
+/// A cell with this title, and the label as its key in saved tables.
+QTableWidgetItem* metricCell(const std::string& label, bool withUnit = true);
 /// A number with the decimals that its interval requires.
 QString outputNumber(double value, const statistics::Interval& interval = {});
 /// A difference with its interval, "−0.5 [−0.8, −0.2] m", drawn around 0 up to `reach` at both

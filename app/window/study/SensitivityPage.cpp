@@ -287,7 +287,7 @@ class SensitivityPage : public OutputPage {
       for (const QString& reason : uncertainties(output_, result)) {
         const int row = table->rowCount();
         table->insertRow(row);
-        table->setItem(row, 0, studyCell(outputMetricTitle(result.metric, false), true));
+        table->setItem(row, 0, metricCell(result.metric, false));
         table->setItem(row, 1, studyCell(QString::fromStdString(result.of), true));
         table->setItem(row, 2, studyCell(editor::capitalized(reason), true));
         table->item(row, 2)->setToolTip(editor::capitalized(reason));

@@ -152,22 +152,22 @@ class TunePage : public OutputPage {
     const double successReach = commonReach(
         output_.evaluations,
         [](const TuneOutput::Evaluation& each) -> const TuneDifference& { return each.success; });
-    addDifference(table, scenario, tr("Success"), of.success, true, successReach);
+    addDifference(table, scenario, metricCell("success", false), of.success, true, successReach);
     for (std::size_t k = 0; k < output_.objectives.size(); ++k) {
-      addDifference(table, scenario, outputMetricTitle(output_.objectives[k]), of.objectives[k],
-                    false, objectiveReach(output_.evaluations, k));
+      addDifference(table, scenario, metricCell(output_.objectives[k]), of.objectives[k], false,
+                    objectiveReach(output_.evaluations, k));
     }
     for (int row = first; row < table.rowCount(); ++row) {
       table.item(row, 0)->setToolTip(QString::fromStdString(of.scenario));
     }
   }
 
-  static void addDifference(QTableWidget& table, const QString& scenario, const QString& metric,
+  static void addDifference(QTableWidget& table, const QString& scenario, QTableWidgetItem* metric,
                             const TuneDifference& of, bool isRate, double reach) {
     const int row = table.rowCount();
     table.insertRow(row);
     table.setItem(row, 0, studyCell(scenario, true));
-    table.setItem(row, 1, studyCell(metric, true));
+    table.setItem(row, 1, metric);
     const auto value = [&](double number) {
       return isRate && !std::isnan(number) ? QString::fromStdString(report::percentText(number))
                                            : outputNumber(number, of.interval);
