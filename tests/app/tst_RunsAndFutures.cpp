@@ -278,8 +278,8 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY2(compared.lengths().contains(text("Compared up to 3.0 s · A 6.0 s, B 3.0 s")),
              qPrintable(compared.lengths()));
     const int last = table.columnCount() - 1;
-    const int length = rowOf("Path length");
-    const int duration = rowOf("Duration of the record");
+    const int length = rowOf("Path length [m]");
+    const int duration = rowOf("Duration of the record [s]");
     QVERIFY(length >= 0 && duration >= 0);
     QCOMPARE(table.item(length, last)->text(), text("to 3.0 s"));
     QCOMPARE(table.item(duration, last)->text(), text("whole run"));
@@ -295,11 +295,17 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY2(std::fabs(table.item(length, 1)->text().toDouble() - way) < 0.006,
              qPrintable(table.item(length, 1)->text()));
     quiet::shoot(*window_, "runs_lengths");
+    int width = 0;  // the names take all that the other columns leave
+    for (int column = 0; column < table.columnCount(); ++column) {
+      width += table.columnWidth(column);
+    }
+    QCOMPARE(width, table.viewport()->width());
+    QVERIFY(compared.plot().unitText().startsWith(text("Curve: ")));
     const QRect before = compared.table().geometry();
     QTest::mouseClick(&compared.wholeRunsButton(), Qt::LeftButton);
     QCOMPARE(compared.table().geometry(), before);
-    QCOMPARE(table.item(rowOf("Path length"), last)->text(), text("whole run"));
-    QVERIFY(table.item(rowOf("Path length"), 1)->text().toDouble() > way + 0.1);
+    QCOMPARE(table.item(rowOf("Path length [m]"), last)->text(), text("whole run"));
+    QVERIFY(table.item(rowOf("Path length [m]"), 1)->text().toDouble() > way + 0.1);
     QVERIFY(compared.lengths().contains(text("Different lengths")));
   }
 

@@ -11,16 +11,21 @@ namespace editor {
 namespace {
 
 constexpr int kNumberWidth = 58;
-constexpr int kUnitWidth = 44;
 constexpr int kPartWidth = 88;
-constexpr int kNameWidth = 150;  // For metric names if the columns do not fit.
-constexpr int kFewRuns = 2;
+constexpr int kNameWidth = 150;  // Least width of the metric names.
 
 QString valueText(const metrics::MetricInfo& info, const std::optional<double>& value) {
   metrics::MetricResult result;
   result.info = info;
   result.value.value = value;
   return metricText(result);
+}
+
+/// "Path length [m]"
+QString titleOf(const metrics::MetricInfo& info) {
+  const QString name = coreText(info.name);
+  return info.unit.empty() ? name
+                           : QStringLiteral("%1 [%2]").arg(name, QString::fromStdString(info.unit));
 }
 
 /// "+0.12", "0": the difference of the other run from the first.
@@ -44,6 +49,7 @@ CompareTable::CompareTable(PanelContext& context)
       task_([this](Measured measured) { deliver(std::move(measured)); }) {
   styleTable(*table_, tr("Metrics of the runs"));
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // Needed for five runs.
+  table_->viewport()->installEventFilter(this);
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(makeTable());
   both->addWidget(plot_);
@@ -186,7 +192,8 @@ void CompareTable::deliver(Measured measured) {
   Q_EMIT measuredAll();
 }
 
-/// "Compared up to 13.7 s · A 30.8 s, B 13.7 s · outcomes over whole runs"
+/// "Values of whole runs · A 30.8 s, B 30.8 s", or "Compared up to 13.7 s · A 30.8 s, B 13.7 s ·
+/// outcomes over whole runs"
 void CompareTable::showLengths() {
   QStringList lengths;
   for (std::size_t k = 0; k < shown_.runs.size(); ++k) {
@@ -200,6 +207,8 @@ void CompareTable::showLengths() {
     parts.append(tr("outcomes over whole runs"));
   } else if (shown_.end) {
     parts.prepend(tr("Different lengths"));
+  } else {
+    parts.prepend(tr("Values of whole runs"));
   }
   lengths_->setFullText(parts.join(QStringLiteral(" · ")));
   wholeRuns_->setVisible(shown_.end.has_value());
@@ -229,28 +238,39 @@ void CompareTable::fillHead() {
   for (int k = 1; k < runs; ++k) {
     heads << QStringLiteral("%1 − A").arg(shown_.runs[static_cast<std::size_t>(k)].letter);
   }
-  heads << tr("Unit");
   if (shown_.end) {
     heads << tr("Compared");
   }
   table_->setColumnCount(heads.size());
   table_->setHorizontalHeaderLabels(heads);
   QHeaderView* header = table_->horizontalHeader();
-  const bool hasRoom = runs <= kFewRuns && !shown_.end;
-  header->setSectionResizeMode(0, hasRoom ? QHeaderView::Stretch : QHeaderView::Interactive);
-  if (!hasRoom) {
-    header->resizeSection(0, kNameWidth);
-  }
   for (int column = 1; column < heads.size(); ++column) {
     header->setSectionResizeMode(column, QHeaderView::Fixed);
     const bool isNumber = column < 2 * runs;
-    header->resizeSection(column, isNumber             ? kNumberWidth
-                                  : column == 2 * runs ? kUnitWidth
-                                                       : kPartWidth);
+    header->resizeSection(column, isNumber ? kNumberWidth : kPartWidth);
     table_->horizontalHeaderItem(column)->setTextAlignment(
         static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
   }
   table_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  fitNames();
+}
+
+/// The names take the width that the other columns leave.
+void CompareTable::fitNames() {
+  int others = 0;
+  for (int column = 1; column < table_->columnCount(); ++column) {
+    others += table_->columnWidth(column);
+  }
+  if (table_->columnCount() > 0) {
+    table_->setColumnWidth(0, std::max(kNameWidth, table_->viewport()->width() - others));
+  }
+}
+
+bool CompareTable::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_->viewport() && event->type() == QEvent::Resize) {
+    fitNames();
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void CompareTable::fillRow(int row) {
@@ -264,7 +284,8 @@ void CompareTable::fillRow(int row) {
                      QString::fromStdString(metric.info.formula));
     table_->setItem(row, column, item);
   };
-  put(0, coreText(metric.info.name), false);
+  put(0, titleOf(metric.info), false);
+  table_->item(row, 0)->setData(kSavedKeyRole, QString::fromStdString(metric.info.key));
   for (int k = 0; k < runs; ++k) {
     put(1 + k, valueText(metric.info, metric.values[static_cast<std::size_t>(k)]), true);
   }
@@ -272,10 +293,9 @@ void CompareTable::fillRow(int row) {
     put(runs + k, differenceText(metric.info, metric.difference(static_cast<std::size_t>(k))),
         true);
   }
-  put(2 * runs, QString::fromStdString(metric.info.unit), false);
   if (shown_.end) {
-    put(2 * runs + 1,
-        metric.isWholeRun ? tr("whole run") : tr("to %1 s").arg(tenthsText(*shown_.end)), false);
+    put(2 * runs, metric.isWholeRun ? tr("whole run") : tr("to %1 s").arg(tenthsText(*shown_.end)),
+        false);
   }
   if (metric.info.key == chosen_) {
     table_->setCurrentCell(row, 0);

@@ -206,9 +206,7 @@ MetricPlot::MetricPlot(const Theme& theme, bool isSingle)
       grid_(new QwtPlotGrid),
       cursor_(new QwtPlotMarker) {
   title_->setWordWrap(true);
-  auto* top = configuredLayout(new QHBoxLayout, {12, 6, 12, 0}, -1);
-  top->addWidget(title_, 1);
-  top->addWidget(unit_, 0, Qt::AlignTop);
+  auto* top = configuredLayout(new QVBoxLayout, {12, 6, 12, 0}, 0, {title_, unit_});
   auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 4}, 0);
   layout->addLayout(top);
   layout->addWidget(plot_, 1);
@@ -258,7 +256,8 @@ void MetricPlot::show(const QString& name, const QString& unit, const std::vecto
     words << coreText(known->curve->meaning()) << QString::fromStdString(known->curve->unit);
   }
   words.removeAll(QString());
-  unit_->setText(words.join(QStringLiteral(" · ")));
+  unit_->setText(words.isEmpty() ? QString()
+                                 : tr("Curve: %1").arg(words.join(QStringLiteral(" · "))));
   curves_.clear();
   styles_.clear();
   labels_.clear();

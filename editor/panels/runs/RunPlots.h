@@ -94,7 +94,7 @@ class MetricPlot : public ExportablePlot {
   void setCursor(double time);  // [s]
   std::size_t lines() const { return curves_.size(); }
   QString title() const { return title_->text(); }
-  QString unitText() const { return unit_->text(); }  // "per step · m"
+  QString unitText() const { return unit_->text(); }  // "Curve: per step · m"
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

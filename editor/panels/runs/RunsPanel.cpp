@@ -16,7 +16,7 @@ namespace {
 enum RunColumn { RunNameColumn, LeftAtColumn, ChangedColumn, RunColumns };
 constexpr int kRowRole = Qt::UserRole;
 constexpr int kSwatch = 18;
-constexpr int kRunNameWidth = 130;
+constexpr int kLeastRunName = 100;
 constexpr int kAfterHeading = 8;
 
 /// A line in the style of a run with its letter, as on the map and in the plots.
@@ -101,7 +101,6 @@ void RunsPanel::makeList() {
   list_->setUniformRowHeights(true);
   QHeaderView* header = list_->header();
   header->setStretchLastSection(true);
-  header->resizeSection(RunNameColumn, kRunNameWidth);
   header->resizeSection(LeftAtColumn, header->sectionSizeHint(LeftAtColumn) + kAfterHeading);
   list_->setMinimumWidth(240);
 }
@@ -217,6 +216,7 @@ void RunsPanel::fillList() {
       list_->setCurrentItem(item);
     }
   }
+  fitRunNames();
   Q_EMIT context_.counted(this, all.size() > 1 ? static_cast<int>(all.size()) : 0);
   followChoice();
   showGhosts();
@@ -264,7 +264,17 @@ void RunsPanel::showBranchColumns() {
   for (const int column : {int(LeftAtColumn), int(ChangedColumn)}) {
     list_->setColumnHidden(column, !isAny);
   }
-  list_->header()->resizeSection(RunNameColumn, kRunNameWidth);
+}
+
+/// The names get the width that they need, at most that of "Changed".
+void RunsPanel::fitRunNames() {
+  list_->resizeColumnToContents(RunNameColumn);
+  if (!list_->isColumnHidden(LeftAtColumn)) {
+    const int room = list_->viewport()->width() - list_->columnWidth(LeftAtColumn);
+    list_->setColumnWidth(RunNameColumn,
+                          std::clamp(list_->columnWidth(RunNameColumn), kLeastRunName,
+                                     std::max(kLeastRunName, room / 2)));
+  }
 }
 
 void RunsPanel::updateTimeline() {

@@ -48,6 +48,9 @@ class CompareTable : public QWidget {
  Q_SIGNALS:
   void measuredAll();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   struct Measured {
     std::vector<Run> runs;
@@ -63,6 +66,7 @@ class CompareTable : public QWidget {
   base::Result<app::MetricsSetup> setup() const;
   void showLengths();
   void fillHead();
+  void fitNames();
   void fillRow(int row);
   bool isShortened() const { return shown_.end.has_value() && !wholeRuns_->isChecked(); }
   void deliver(Measured measured);
@@ -143,6 +147,7 @@ class RunsPanel : public QWidget {
   QString letterOf(const Row& row) const;
   QString titleOf(const Row& row) const;
   void showBranchColumns();
+  void fitRunNames();
   void showDivergences();
   void updateTimeline();
   void handleBranches();
