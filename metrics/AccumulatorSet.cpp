@@ -176,7 +176,7 @@ MetricValue AccumulatorSet::valueOf(const Item& item,
                                     const std::vector<MetricResult>& before) const {
   const MetricEntry& entry = item.entry;
   if (entry.info.needs.robot && !context_->hasRobot) {
-    return undefinedValue("there is no robot");
+    return undefinedValue(kNoRobot);
   }
   const SampleRange& stretch = rangeOf(entry.info);
   if (stretch.count == 0) {

@@ -64,6 +64,7 @@ struct MetricValue {
 };
 
 MetricValue undefinedValue(std::string why);
+constexpr char kNoRobot[] = "there is no robot";  // the reason of metrics that need one
 MetricValue infiniteValue(std::string why);
 MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind = Kind::Number);
 MetricValue withTerms(const SeriesSum& sum, Kind kind = Kind::Number);

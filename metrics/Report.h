@@ -137,7 +137,8 @@ void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>&
 std::string evaluatorNumber(double value, Kind kind);
 
 /// A table of name, value and unit of each metric, with the reason for undefined values. Several
-/// robots have one named column each.
+/// robots have one named column each. Without a robot, more than five metrics that need one are
+/// only counted.
 std::string tableText(const Evaluation& evaluation);
 
 enum class Layout { Hunav2, Hunav1 };  // .csv with commas; .txt with tabs and without run id

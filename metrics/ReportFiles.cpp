@@ -390,6 +390,10 @@ std::vector<std::string> tableRow(const MetricInfo& info,
   return row;
 }
 
+bool lacksRobot(const MetricResult& result) {
+  return result.value.why == kNoRobot;
+}
+
 }  // namespace
 
 std::string tableText(const Evaluation& evaluation) {
@@ -402,10 +406,18 @@ std::string tableText(const Evaluation& evaluation) {
     rows.front().push_back(robots.size() == 1 ? "value" : robot->robot);
   }
   rows.front().emplace_back("unit");
+  constexpr std::ptrdiff_t kMostListed = 5;  // with the same reason
+  const std::ptrdiff_t lacking =
+      std::count_if(evaluation.results.begin(), evaluation.results.end(), lacksRobot);
   for (const MetricResult& result : evaluation.results) {
-    rows.push_back(tableRow(result.info, robots));
+    if (lacking <= kMostListed || !lacksRobot(result)) {
+      rows.push_back(tableRow(result.info, robots));
+    }
   }
-  return alignedText(rows);
+  return alignedText(rows) +
+         (lacking > kMostListed
+              ? std::to_string(lacking) + " metrics of the robot are left out: " + kNoRobot + "\n"
+              : std::string());
 }
 
 base::Result<std::vector<std::string>> writeEvaluatorFiles(const Evaluation& evaluation,

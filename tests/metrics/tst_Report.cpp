@@ -87,7 +87,20 @@ class ReportTest : public QObject {
     QVERIFY(!made.find("path_length")->value.value);
     QVERIFY(made.find("path_length")->value.why == "there is no robot");
     QVERIFY(made.find("avg_pedestrian_velocity")->value.value);
-    QVERIFY(contains(tableText(made), "there is no robot"));
+    // One line for all of them, instead of more than a hundred with the same reason.
+    const std::string table = tableText(made);
+    const auto lacking = std::count_if(
+        made.results.begin(), made.results.end(),
+        [](const MetricResult& result) { return result.value.why == "there is no robot"; });
+    QVERIFY(lacking > 20);
+    QVERIFY(contains(table, "\n" + std::to_string(lacking) +
+                                " metrics of the robot are left out: there is no robot\n"));
+    QVERIFY(!contains(table, "\npath_length "));
+    QVERIFY(contains(table, "\navg_pedestrian_velocity "));
+    Evaluation few = made;
+    few.results = {*made.find("path_length"), *made.find("avg_pedestrian_velocity")};
+    QVERIFY(contains(tableText(few), "\npath_length "));
+    QVERIFY(!contains(tableText(few), "left out"));
   }
 
   /// Files have all digits, the table for people six.
