@@ -6132,8 +6132,8 @@ Elegir qué muestra el mapa</translation>
         <translation>Vista previa</translation>
     </message>
     <message>
-        <source>Reading the run…</source>
-        <translation>Leyendo la ejecución…</translation>
+        <source>Preparing the preview…</source>
+        <translation>Preparando la vista previa…</translation>
     </message>
 </context>
 <context>
@@ -7192,48 +7192,24 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
         <translation>Densidad</translation>
     </message>
     <message>
-        <source>People per m² as a colour map</source>
-        <translation>Personas por m² como mapa de colores</translation>
-    </message>
-    <message>
         <source>Hall zones</source>
         <translation>Zonas de Hall</translation>
-    </message>
-    <message>
-        <source>Intimate, personal and social zone of each person</source>
-        <translation>Zona íntima, personal y social de cada persona</translation>
     </message>
     <message>
         <source>Gaussian spaces</source>
         <translation>Espacios gaussianos</translation>
     </message>
     <message>
-        <source>Gaussian personal space, longer in the walking direction</source>
-        <translation>Espacio personal gaussiano, más largo en la dirección de marcha</translation>
-    </message>
-    <message>
         <source>Velocities</source>
         <translation>Velocidades</translation>
-    </message>
-    <message>
-        <source>Velocity vector of each body</source>
-        <translation>Vector de velocidad de cada cuerpo</translation>
     </message>
     <message>
         <source>Forces</source>
         <translation>Fuerzas</translation>
     </message>
     <message>
-        <source>Forces on each person</source>
-        <translation>Fuerzas sobre cada persona</translation>
-    </message>
-    <message>
         <source>Contacts</source>
         <translation>Contactos</translation>
-    </message>
-    <message>
-        <source>Where bodies touched</source>
-        <translation>Dónde se tocaron los cuerpos</translation>
     </message>
     <message>
         <source>%1 – requires ffmpeg</source>
@@ -7264,10 +7240,6 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
         <translation>s</translation>
     </message>
     <message>
-        <source>Interval of dots with the time on each trajectory; 0: none</source>
-        <translation>Intervalo de los puntos con el tiempo en cada trayectoria; 0: ninguno</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>Tamaño</translation>
     </message>
@@ -7284,22 +7256,8 @@ Tras un fallo, el programa ofrece restaurarlas</translation>
         <translation>automático</translation>
     </message>
     <message>
-        <source>Height
-The lowest value is the height that the map requires</source>
-        <translation>Alto
-El valor mínimo es el alto que el mapa necesita</translation>
-    </message>
-    <message>
         <source>Overlays</source>
         <translation>Superposiciones</translation>
-    </message>
-    <message>
-        <source>Names below the bodies</source>
-        <translation>Nombres bajo los cuerpos</translation>
-    </message>
-    <message>
-        <source>Forces are not recorded: only a run of this window has them</source>
-        <translation>Las fuerzas no se registran: solo las tiene una ejecución de esta ventana</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -7320,10 +7278,6 @@ El valor mínimo es el alto que el mapa necesita</translation>
     <message>
         <source> px</source>
         <translation> px</translation>
-    </message>
-    <message>
-        <source>Nothing can be drawn: %1</source>
-        <translation>No se puede dibujar nada: %1</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -7352,6 +7306,56 @@ El valor mínimo es el alto que el mapa necesita</translation>
     <message>
         <source>Names</source>
         <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>People per m² as colours</source>
+        <translation>Personas por m² como colores</translation>
+    </message>
+    <message>
+        <source>Intimate, personal and social zone around each person, after E. T. Hall: 0.45, 1.2 and 3.6 m</source>
+        <translation>Zonas íntima, personal y social alrededor de cada persona, según E. T. Hall: 0.45, 1.2 y 3.6 m</translation>
+    </message>
+    <message>
+        <source>Personal space of each person as a Gaussian function, longer in the walking direction</source>
+        <translation>Espacio personal de cada persona como función gaussiana, más largo en la dirección de marcha</translation>
+    </message>
+    <message>
+        <source>Velocity of each person and robot as an arrow</source>
+        <translation>Velocidad de cada persona y robot como flecha</translation>
+    </message>
+    <message>
+        <source>Forces on each person as arrows</source>
+        <translation>Fuerzas sobre cada persona como flechas</translation>
+    </message>
+    <message>
+        <source>Places where people or robots touched</source>
+        <translation>Lugares donde se tocaron personas o robots</translation>
+    </message>
+    <message>
+        <source>Marks each trajectory with the time at this interval; 0: no marks</source>
+        <translation>Marca el tiempo en cada trayectoria a este intervalo; 0: sin marcas</translation>
+    </message>
+    <message>
+        <source>Height
+The lowest value, “automatic”, is the height that the map needs at this width</source>
+        <translation>Alto
+El valor más bajo, «automático», es el alto que el mapa necesita con este ancho</translation>
+    </message>
+    <message>
+        <source>Names of people and robots</source>
+        <translation>Nombres de personas y robots</translation>
+    </message>
+    <message>
+        <source>Recorded runs contain no forces: run the scenario to show them</source>
+        <translation>Las ejecuciones grabadas no contienen fuerzas: ejecute el escenario para mostrarlas</translation>
+    </message>
+    <message>
+        <source>Only a run has this: run the scenario first</source>
+        <translation>Solo lo tiene una ejecución: ejecute primero el escenario</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn: %1</source>
+        <translation>No se puede dibujar la imagen: %1</translation>
     </message>
 </context>
 <context>
@@ -7408,16 +7412,8 @@ El valor mínimo es el alto que el mapa necesita</translation>
         <translation>Ejecución completa</translation>
     </message>
     <message>
-        <source>Save all of the run</source>
-        <translation>Guardar toda la ejecución</translation>
-    </message>
-    <message>
         <source>Loop section</source>
         <translation>Sección en bucle</translation>
-    </message>
-    <message>
-        <source>Save the section that is repeated on the timeline</source>
-        <translation>Guardar la sección que se repite en la línea de tiempo</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -7448,20 +7444,8 @@ El valor mínimo es el alto que el mapa necesita</translation>
         <translation>Vista previa</translation>
     </message>
     <message>
-        <source>At most %1 for a GIF</source>
-        <translation>Como máximo %1 para un GIF</translation>
-    </message>
-    <message>
-        <source>%1 frames, %2 s</source>
-        <translation>%1 fotogramas, %2 s</translation>
-    </message>
-    <message>
         <source>The end must be after the start</source>
         <translation>El final debe ser posterior al inicio</translation>
-    </message>
-    <message>
-        <source>1280 px wide</source>
-        <translation>1280 px de ancho</translation>
     </message>
     <message>
         <source>HD, 1280 × 720</source>
@@ -7472,8 +7456,32 @@ El valor mínimo es el alto que el mapa necesita</translation>
         <translation>Full HD, 1920 × 1080</translation>
     </message>
     <message>
-        <source>Small, 640 px wide</source>
-        <translation>Pequeña, 640 px de ancho</translation>
+        <source>From the start to the end of the run</source>
+        <translation>Desde el inicio hasta el final de la ejecución</translation>
+    </message>
+    <message>
+        <source>Only the section that the timeline repeats</source>
+        <translation>Solo la sección que repite la línea de tiempo</translation>
+    </message>
+    <message>
+        <source>Frames per second of the film; GIF viewers show at most %1</source>
+        <translation>Fotogramas por segundo de la película; los visores de GIF muestran como máximo %1</translation>
+    </message>
+    <message>
+        <source>Frames per second of the film</source>
+        <translation>Fotogramas por segundo de la película</translation>
+    </message>
+    <message>
+        <source>The film has %1 frames and lasts %2 s</source>
+        <translation>La película tiene %1 fotogramas y dura %2 s</translation>
+    </message>
+    <message>
+        <source>Map, 1280 px wide</source>
+        <translation>Mapa, 1280 px de ancho</translation>
+    </message>
+    <message>
+        <source>Small map, 640 px wide</source>
+        <translation>Mapa pequeño, 640 px de ancho</translation>
     </message>
 </context>
 <context>
@@ -7481,18 +7489,6 @@ El valor mínimo es el alto que el mapa necesita</translation>
     <message>
         <source>Save picture</source>
         <translation>Guardar imagen</translation>
-    </message>
-    <message>
-        <source>PNG – pixels</source>
-        <translation>PNG – píxeles</translation>
-    </message>
-    <message>
-        <source>SVG – vectors</source>
-        <translation>SVG – vectores</translation>
-    </message>
-    <message>
-        <source>PDF – vectors</source>
-        <translation>PDF – vectores</translation>
     </message>
     <message>
         <source>Time</source>
@@ -7507,28 +7503,44 @@ El valor mínimo es el alto que el mapa necesita</translation>
         <translation>Tiempo de la imagen</translation>
     </message>
     <message>
-        <source>Two columns, 170 mm</source>
-        <translation>Dos columnas, 170 mm</translation>
-    </message>
-    <message>
-        <source>One column, 85 mm</source>
-        <translation>Una columna, 85 mm</translation>
-    </message>
-    <message>
         <source>Slide, 16 : 9</source>
         <translation>Diapositiva, 16 : 9</translation>
     </message>
     <message>
-        <source>Screen</source>
-        <translation>Pantalla</translation>
+        <source>PNG – pixel graphics</source>
+        <translation>PNG – gráficos de píxeles</translation>
     </message>
     <message>
-        <source>Two columns, 170 mm at 300 dpi</source>
-        <translation>Dos columnas, 170 mm a 300 ppp</translation>
+        <source>SVG – vector graphics</source>
+        <translation>SVG – gráficos vectoriales</translation>
     </message>
     <message>
-        <source>One column, 85 mm at 300 dpi</source>
-        <translation>Una columna, 85 mm a 300 ppp</translation>
+        <source>PDF – vector graphics</source>
+        <translation>PDF – gráficos vectoriales</translation>
+    </message>
+    <message>
+        <source>Paper, two columns: 170 mm</source>
+        <translation>Artículo, dos columnas: 170 mm</translation>
+    </message>
+    <message>
+        <source>Paper, one column: 85 mm</source>
+        <translation>Artículo, una columna: 85 mm</translation>
+    </message>
+    <message>
+        <source>Screen, 1600 × 1000</source>
+        <translation>Pantalla, 1600 × 1000</translation>
+    </message>
+    <message>
+        <source>Slide, 1920 × 1080</source>
+        <translation>Diapositiva, 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>Paper, two columns: 170 mm, 300 dpi</source>
+        <translation>Artículo, dos columnas: 170 mm, 300 ppp</translation>
+    </message>
+    <message>
+        <source>Paper, one column: 85 mm, 300 dpi</source>
+        <translation>Artículo, una columna: 85 mm, 300 ppp</translation>
     </message>
 </context>
 <context>

@@ -6132,8 +6132,8 @@ Choose what the map shows</source>
         <translation>预览</translation>
     </message>
     <message>
-        <source>Reading the run…</source>
-        <translation>正在读取运行…</translation>
+        <source>Preparing the preview…</source>
+        <translation>正在准备预览…</translation>
     </message>
 </context>
 <context>
@@ -7192,48 +7192,24 @@ After a crash, the program offers to restore them</source>
         <translation>密度</translation>
     </message>
     <message>
-        <source>People per m² as a colour map</source>
-        <translation>以色彩图显示每平方米人数</translation>
-    </message>
-    <message>
         <source>Hall zones</source>
         <translation>Hall 区域</translation>
-    </message>
-    <message>
-        <source>Intimate, personal and social zone of each person</source>
-        <translation>每个行人的亲密、个人和社交区域</translation>
     </message>
     <message>
         <source>Gaussian spaces</source>
         <translation>高斯空间</translation>
     </message>
     <message>
-        <source>Gaussian personal space, longer in the walking direction</source>
-        <translation>高斯个人空间，在行走方向上更长</translation>
-    </message>
-    <message>
         <source>Velocities</source>
         <translation>速度</translation>
-    </message>
-    <message>
-        <source>Velocity vector of each body</source>
-        <translation>每个物体的速度矢量</translation>
     </message>
     <message>
         <source>Forces</source>
         <translation>力</translation>
     </message>
     <message>
-        <source>Forces on each person</source>
-        <translation>作用于每个行人的力</translation>
-    </message>
-    <message>
         <source>Contacts</source>
         <translation>接触</translation>
-    </message>
-    <message>
-        <source>Where bodies touched</source>
-        <translation>物体接触的位置</translation>
     </message>
     <message>
         <source>%1 – requires ffmpeg</source>
@@ -7264,10 +7240,6 @@ After a crash, the program offers to restore them</source>
         <translation>s</translation>
     </message>
     <message>
-        <source>Interval of dots with the time on each trajectory; 0: none</source>
-        <translation>每条轨迹上时间点的间隔；0：无</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>大小</translation>
     </message>
@@ -7284,22 +7256,8 @@ After a crash, the program offers to restore them</source>
         <translation>自动</translation>
     </message>
     <message>
-        <source>Height
-The lowest value is the height that the map requires</source>
-        <translation>高度
-最小值为地图所需的高度</translation>
-    </message>
-    <message>
         <source>Overlays</source>
         <translation>叠加层</translation>
-    </message>
-    <message>
-        <source>Names below the bodies</source>
-        <translation>在物体下方显示名称</translation>
-    </message>
-    <message>
-        <source>Forces are not recorded: only a run of this window has them</source>
-        <translation>力未被记录：只有此窗口中的运行才有</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -7320,10 +7278,6 @@ The lowest value is the height that the map requires</source>
     <message>
         <source> px</source>
         <translation> px</translation>
-    </message>
-    <message>
-        <source>Nothing can be drawn: %1</source>
-        <translation>无法绘制：%1</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -7352,6 +7306,56 @@ The lowest value is the height that the map requires</source>
     <message>
         <source>Names</source>
         <translation>名称</translation>
+    </message>
+    <message>
+        <source>People per m² as colours</source>
+        <translation>以颜色显示每平方米人数</translation>
+    </message>
+    <message>
+        <source>Intimate, personal and social zone around each person, after E. T. Hall: 0.45, 1.2 and 3.6 m</source>
+        <translation>每个行人周围的亲密、个人和社交区域（E. T. Hall）：0.45、1.2 和 3.6 m</translation>
+    </message>
+    <message>
+        <source>Personal space of each person as a Gaussian function, longer in the walking direction</source>
+        <translation>以高斯函数表示的每个行人的个人空间，在行走方向上更长</translation>
+    </message>
+    <message>
+        <source>Velocity of each person and robot as an arrow</source>
+        <translation>以箭头显示每个行人和机器人的速度</translation>
+    </message>
+    <message>
+        <source>Forces on each person as arrows</source>
+        <translation>以箭头显示作用于每个行人的力</translation>
+    </message>
+    <message>
+        <source>Places where people or robots touched</source>
+        <translation>行人或机器人发生接触的位置</translation>
+    </message>
+    <message>
+        <source>Marks each trajectory with the time at this interval; 0: no marks</source>
+        <translation>按此间隔在每条轨迹上标出时间；0：不标</translation>
+    </message>
+    <message>
+        <source>Height
+The lowest value, “automatic”, is the height that the map needs at this width</source>
+        <translation>高度
+最小值“自动”是地图在此宽度下所需的高度</translation>
+    </message>
+    <message>
+        <source>Names of people and robots</source>
+        <translation>行人和机器人的名称</translation>
+    </message>
+    <message>
+        <source>Recorded runs contain no forces: run the scenario to show them</source>
+        <translation>已记录的运行不含力：请运行场景以显示</translation>
+    </message>
+    <message>
+        <source>Only a run has this: run the scenario first</source>
+        <translation>仅运行时才有：请先运行场景</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn: %1</source>
+        <translation>无法绘制图片：%1</translation>
     </message>
 </context>
 <context>
@@ -7408,16 +7412,8 @@ The lowest value is the height that the map requires</source>
         <translation>整个运行</translation>
     </message>
     <message>
-        <source>Save all of the run</source>
-        <translation>保存整个运行</translation>
-    </message>
-    <message>
         <source>Loop section</source>
         <translation>循环片段</translation>
-    </message>
-    <message>
-        <source>Save the section that is repeated on the timeline</source>
-        <translation>保存时间轴上循环的片段</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -7448,20 +7444,8 @@ The lowest value is the height that the map requires</source>
         <translation>预览</translation>
     </message>
     <message>
-        <source>At most %1 for a GIF</source>
-        <translation>GIF 最多 %1</translation>
-    </message>
-    <message>
-        <source>%1 frames, %2 s</source>
-        <translation>%1 帧，%2 s</translation>
-    </message>
-    <message>
         <source>The end must be after the start</source>
         <translation>结束时间必须晚于开始时间</translation>
-    </message>
-    <message>
-        <source>1280 px wide</source>
-        <translation>宽 1280 px</translation>
     </message>
     <message>
         <source>HD, 1280 × 720</source>
@@ -7472,8 +7456,32 @@ The lowest value is the height that the map requires</source>
         <translation>全高清，1920 × 1080</translation>
     </message>
     <message>
-        <source>Small, 640 px wide</source>
-        <translation>小，宽 640 px</translation>
+        <source>From the start to the end of the run</source>
+        <translation>从运行开始到结束</translation>
+    </message>
+    <message>
+        <source>Only the section that the timeline repeats</source>
+        <translation>仅时间轴循环的片段</translation>
+    </message>
+    <message>
+        <source>Frames per second of the film; GIF viewers show at most %1</source>
+        <translation>影片每秒帧数；GIF 查看器最多显示 %1</translation>
+    </message>
+    <message>
+        <source>Frames per second of the film</source>
+        <translation>影片每秒帧数</translation>
+    </message>
+    <message>
+        <source>The film has %1 frames and lasts %2 s</source>
+        <translation>影片共 %1 帧，时长 %2 s</translation>
+    </message>
+    <message>
+        <source>Map, 1280 px wide</source>
+        <translation>地图，宽 1280 px</translation>
+    </message>
+    <message>
+        <source>Small map, 640 px wide</source>
+        <translation>小地图，宽 640 px</translation>
     </message>
 </context>
 <context>
@@ -7481,18 +7489,6 @@ The lowest value is the height that the map requires</source>
     <message>
         <source>Save picture</source>
         <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>PNG – pixels</source>
-        <translation>PNG – 像素</translation>
-    </message>
-    <message>
-        <source>SVG – vectors</source>
-        <translation>SVG – 矢量</translation>
-    </message>
-    <message>
-        <source>PDF – vectors</source>
-        <translation>PDF – 矢量</translation>
     </message>
     <message>
         <source>Time</source>
@@ -7507,28 +7503,44 @@ The lowest value is the height that the map requires</source>
         <translation>图片的时间</translation>
     </message>
     <message>
-        <source>Two columns, 170 mm</source>
-        <translation>双栏，170 mm</translation>
-    </message>
-    <message>
-        <source>One column, 85 mm</source>
-        <translation>单栏，85 mm</translation>
-    </message>
-    <message>
         <source>Slide, 16 : 9</source>
         <translation>幻灯片，16 : 9</translation>
     </message>
     <message>
-        <source>Screen</source>
-        <translation>屏幕</translation>
+        <source>PNG – pixel graphics</source>
+        <translation>PNG – 像素图</translation>
     </message>
     <message>
-        <source>Two columns, 170 mm at 300 dpi</source>
-        <translation>双栏，170 mm，300 dpi</translation>
+        <source>SVG – vector graphics</source>
+        <translation>SVG – 矢量图</translation>
     </message>
     <message>
-        <source>One column, 85 mm at 300 dpi</source>
-        <translation>单栏，85 mm，300 dpi</translation>
+        <source>PDF – vector graphics</source>
+        <translation>PDF – 矢量图</translation>
+    </message>
+    <message>
+        <source>Paper, two columns: 170 mm</source>
+        <translation>论文，双栏：170 mm</translation>
+    </message>
+    <message>
+        <source>Paper, one column: 85 mm</source>
+        <translation>论文，单栏：85 mm</translation>
+    </message>
+    <message>
+        <source>Screen, 1600 × 1000</source>
+        <translation>屏幕，1600 × 1000</translation>
+    </message>
+    <message>
+        <source>Slide, 1920 × 1080</source>
+        <translation>幻灯片，1920 × 1080</translation>
+    </message>
+    <message>
+        <source>Paper, two columns: 170 mm, 300 dpi</source>
+        <translation>论文，双栏：170 mm，300 dpi</translation>
+    </message>
+    <message>
+        <source>Paper, one column: 85 mm, 300 dpi</source>
+        <translation>论文，单栏：85 mm，300 dpi</translation>
     </message>
 </context>
 <context>

@@ -343,10 +343,10 @@ class RunExportTest : public QObject, protected InFolder {
 
   void forPrint_has300Dpi() {
     QVERIFY(window_->open(path("run")));
-    saveAs<SavePictureDialog>(*window_->actions().savePicture, path("print.png"),
-                              [](SavePictureDialog& dialog) {
-                                choose(quiet::part<QComboBox>(dialog, "Size"), text("One column"));
-                              });
+    saveAs<SavePictureDialog>(
+        *window_->actions().savePicture, path("print.png"), [](SavePictureDialog& dialog) {
+          choose(quiet::part<QComboBox>(dialog, "Size"), text("Paper, one column"));
+        });
     QCOMPARE(QImage(path("print.png")).width(), qRound(85.0 / 25.4 * 300.0));
   }
 
@@ -372,8 +372,31 @@ class RunExportTest : public QObject, protected InFolder {
     QTest::mouseClick(widgets::withText<QCheckBox>(dialog, text("Hall zones")), Qt::LeftButton, {},
                       QPoint(8, 8));
     changes("overlay");
-    choose(quiet::part<QComboBox>(dialog, "Size"), text("One column"));
+    choose(quiet::part<QComboBox>(dialog, "Size"), text("Paper, one column"));
     changes("size");
+  }
+
+  void fields_thatNeedARun_sayWhy() {
+    ExportSource source = walk(1.0, 20);
+    source.isRun = false;
+    const SavePictureDialog dialog(source, {}, editor::Theme::light());
+    const auto* forces = widgets::withText<QCheckBox>(dialog, text("Forces"));
+    const auto* contacts = widgets::withText<QCheckBox>(dialog, text("Contacts"));
+    const auto* zones = widgets::withText<QCheckBox>(dialog, text("Hall zones"));
+    QVERIFY(!forces->isEnabled() && !contacts->isEnabled() && zones->isEnabled());
+    QVERIFY(forces->toolTip().startsWith(text("Recorded runs contain no forces")));
+    QVERIFY(contacts->toolTip().startsWith(text("Only a run has this")));
+    QVERIFY(zones->toolTip().contains(text("0.45, 1.2 and 3.6 m")));
+  }
+
+  void film_itsLengthAndRate_areExplained() {
+    const SaveFilmDialog dialog(walk(2.0, 40), {}, editor::Theme::light());
+    QVERIFY(widgets::findIf<QLabel>(dialog, [](const QLabel* label) {
+              return label->text().startsWith(text("The film has 41 frames and lasts 2."));
+            }) != nullptr);
+    QVERIFY(quiet::part<QAbstractSpinBox>(dialog, "Frame rate")
+                .toolTip()
+                .startsWith(text("Frames per second of the film; GIF viewers")));
   }
 
   void film_stopped_writesNothing() {

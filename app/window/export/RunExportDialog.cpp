@@ -27,20 +27,21 @@ struct OverlayLabel {
 };
 constexpr OverlayLabel kOverlayLabels[] = {
     {FigureOverlay::Density, QT_TRANSLATE_NOOP("app::RunExportDialog", "Density"),
-     QT_TRANSLATE_NOOP("app::RunExportDialog", "People per m² as a colour map")},
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "People per m² as colours")},
     {FigureOverlay::Zones, QT_TRANSLATE_NOOP("app::RunExportDialog", "Hall zones"),
      QT_TRANSLATE_NOOP("app::RunExportDialog",
-                       "Intimate, personal and social zone of each person")},
+                       "Intimate, personal and social zone around each person, "
+                       "after E. T. Hall: 0.45, 1.2 and 3.6 m")},
     {FigureOverlay::Gaussian, QT_TRANSLATE_NOOP("app::RunExportDialog", "Gaussian spaces"),
      QT_TRANSLATE_NOOP("app::RunExportDialog",
-                       "Gaussian personal space, longer in the walking "
-                       "direction")},
+                       "Personal space of each person as a Gaussian function, "
+                       "longer in the walking direction")},
     {FigureOverlay::Velocities, QT_TRANSLATE_NOOP("app::RunExportDialog", "Velocities"),
-     QT_TRANSLATE_NOOP("app::RunExportDialog", "Velocity vector of each body")},
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "Velocity of each person and robot as an arrow")},
     {FigureOverlay::Forces, QT_TRANSLATE_NOOP("app::RunExportDialog", "Forces"),
-     QT_TRANSLATE_NOOP("app::RunExportDialog", "Forces on each person")},
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "Forces on each person as arrows")},
     {FigureOverlay::Contacts, QT_TRANSLATE_NOOP("app::RunExportDialog", "Contacts"),
-     QT_TRANSLATE_NOOP("app::RunExportDialog", "Where bodies touched")}};
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "Places where people or robots touched")}};
 
 /// The image of the figure in a rectangle of this size [px], with its proportions.
 QImage imageOf(const sim2d::Trace& trace, const PictureLayout& layout, std::optional<double> time,
@@ -106,7 +107,7 @@ void ExportPreview::paintEvent(QPaintEvent* /*event*/) {
   if (!text_.isEmpty() || image_.isNull()) {
     painter.setPen(theme_.color(editor::Role::TextSecondary));
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                     text_.isEmpty() ? tr("Reading the run…") : text_);
+                     text_.isEmpty() ? tr("Preparing the preview…") : text_);
     return;
   }
   const QSizeF shown = QSizeF(image_.size()) / image_.devicePixelRatio();
@@ -191,7 +192,7 @@ QLayout* RunExportDialog::makeForm(const std::vector<Format>& formats) {
   form->addRow(tr("Theme"), colours_);
   timeMarks_ =
       addNumber(*form, tr("Time marks"), {0.0, 600.0, 1, 1.0}, tr("s"), source_.options.timeMarks);
-  timeMarks_->setToolTip(tr("Interval of dots with the time on each trajectory; 0: none"));
+  timeMarks_->setToolTip(tr("Marks each trajectory with the time at this interval; 0: no marks"));
   timeMarks_->setEnabled(source_.isRun);
   for (QWidget* field : side_->findChildren<QWidget*>()) {
     if (qobject_cast<QComboBox*>(field) != nullptr ||
@@ -223,7 +224,9 @@ void RunExportDialog::addSizeRows(QFormLayout& form) {
   width_->setAccessibleName(tr("Width"));
   height_->setAccessibleName(tr("Height"));
   height_->setSpecialValueText(tr("automatic"));
-  height_->setToolTip(tr("Height\nThe lowest value is the height that the map requires"));
+  height_->setToolTip(
+      tr("Height\nThe lowest value, “automatic”, is the height that the map needs "
+         "at this width"));
   auto* both = editor::configuredLayout(new QHBoxLayout, {}, 4, {width_});
   both->addWidget(new QLabel(QStringLiteral("×"), side_));
   both->addWidget(height_, 1);
@@ -244,7 +247,7 @@ QWidget* RunExportDialog::makeOverlays() {
     grid->addWidget(check, place / 2, place % 2);
     ++place;
   };
-  add(names_, source_.options.names, tr("Names below the bodies"));
+  add(names_, source_.options.names, tr("Names of people and robots"));
   for (const OverlayLabel& label : kOverlayLabels) {
     const bool isForces = label.overlay == FigureOverlay::Forces;
     const bool isOfRun =
@@ -252,8 +255,9 @@ QWidget* RunExportDialog::makeOverlays() {
     const bool isThere = isForces ? source_.hasForces : source_.isRun || !isOfRun;
     auto* check = new QCheckBox(tr(label.text), box);
     add(check, isThere && source_.options.overlays.count(label.overlay) > 0,
-        isForces && !isThere ? tr("Forces are not recorded: only a run of this window has them")
-                             : tr(label.tip));
+        isThere    ? tr(label.tip)
+        : isForces ? tr("Recorded runs contain no forces: run the scenario to show them")
+                   : tr("Only a run has this: run the scenario first"));
     check->setEnabled(isThere);
     overlays_.emplace_back(check, label.overlay);
   }
@@ -384,7 +388,7 @@ void RunExportDialog::updateSave() {
 
 void RunExportDialog::takeTrace(const std::shared_ptr<base::Result<sim2d::Trace>>& trace) {
   if (!*trace) {
-    preview_->showText(tr("Nothing can be drawn: %1")
+    preview_->showText(tr("The picture cannot be drawn: %1")
                            .arg(QString::fromStdString(trace->diagnostics().front().message)));
     return;
   }

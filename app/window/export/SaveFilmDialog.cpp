@@ -42,12 +42,12 @@ void SaveFilmDialog::addTimeRows(QFormLayout& form) {
   from_ = addNumber(form, tr("From"), {from, to, 2, kTimeStep}, tr("s"), from);
   to_ = addNumber(form, tr("To"), {from, to, 2, kTimeStep}, tr("s"), to);
   auto* links = editor::configuredLayout(new QHBoxLayout, {}, 12);
-  links->addWidget(editor::linkButton(tr("Whole run"), tr("Save all of the run"), this,
-                                      [this, from, to] { setRange(from, to); }));
+  links->addWidget(editor::linkButton(tr("Whole run"), tr("From the start to the end of the run"),
+                                      this, [this, from, to] { setRange(from, to); }));
   if (const auto loop = source().loop) {
-    links->addWidget(editor::linkButton(
-        tr("Loop section"), tr("Save the section that is repeated on the timeline"), this,
-        [this, loop] { setRange(loop->first, loop->second); }));
+    links->addWidget(editor::linkButton(tr("Loop section"),
+                                        tr("Only the section that the timeline repeats"), this,
+                                        [this, loop] { setRange(loop->first, loop->second); }));
   }
   links->addStretch(1);
   form.addRow(QString(), links);
@@ -84,7 +84,9 @@ void SaveFilmDialog::setRange(double from, double to) {
 /// GIF viewers do not show more frames per second.
 void SaveFilmDialog::limitRate() {
   const bool isGif = ending() == ".gif";
-  rate_->setToolTip(isGif ? tr("At most %1 for a GIF").arg(kMaxGifRate) : QString());
+  rate_->setToolTip(
+      isGif ? tr("Frames per second of the film; GIF viewers show at most %1").arg(kMaxGifRate)
+            : tr("Frames per second of the film"));
   if (isGif && rate_->value() > kMaxGifRate) {
     rate_->show(kMaxGifRate, false);
     followRange();
@@ -93,9 +95,10 @@ void SaveFilmDialog::limitRate() {
 
 void SaveFilmDialog::followRange() {
   const FilmTiming film = timing();
-  length_->setText(
-      isComplete() ? tr("%1 frames, %2 s").arg(film.frameCount()).arg(film.duration(), 0, 'f', 1)
-                   : tr("The end must be after the start"));
+  length_->setText(isComplete() ? tr("The film has %1 frames and lasts %2 s")
+                                      .arg(film.frameCount())
+                                      .arg(film.duration(), 0, 'f', 1)
+                                : tr("The end must be after the start"));
   updateSave();
 }
 
@@ -109,10 +112,10 @@ FilmTiming SaveFilmDialog::timing() const {
 }
 
 std::vector<RunExportDialog::SizePreset> SaveFilmDialog::presets() const {
-  return {{tr("1280 px wide"), kFilmWidth},
+  return {{tr("Map, 1280 px wide"), kFilmWidth},
           {tr("HD, 1280 × 720"), 1280.0, 720.0},
           {tr("Full HD, 1920 × 1080"), 1920.0, 1080.0},
-          {tr("Small, 640 px wide"), 640.0}};
+          {tr("Small map, 640 px wide"), 640.0}};
 }
 
 std::optional<double> SaveFilmDialog::previewTime() const {

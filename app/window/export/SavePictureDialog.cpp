@@ -17,9 +17,9 @@ constexpr double kSlideWidth = 338.7, kSlideHeight = 190.5;  // [mm], 16 : 9
 SavePictureDialog::SavePictureDialog(ExportSource source, AskExportFile askFile,
                                      const editor::Theme& theme, QWidget* parent)
     : RunExportDialog(std::move(source), std::move(askFile), theme, parent) {
-  build(
-      tr("Save picture"),
-      {{tr("PNG – pixels"), ".png"}, {tr("SVG – vectors"), ".svg"}, {tr("PDF – vectors"), ".pdf"}});
+  build(tr("Save picture"), {{tr("PNG – pixel graphics"), ".png"},
+                             {tr("SVG – vector graphics"), ".svg"},
+                             {tr("PDF – vector graphics"), ".pdf"}});
 }
 
 void SavePictureDialog::addTimeRows(QFormLayout& form) {
@@ -35,14 +35,14 @@ void SavePictureDialog::addTimeRows(QFormLayout& form) {
 
 std::vector<RunExportDialog::SizePreset> SavePictureDialog::presets() const {
   if (isInMillimetres()) {
-    return {{tr("Two columns, 170 mm"), kVectorWidth},
-            {tr("One column, 85 mm"), kOneColumn},
+    return {{tr("Paper, two columns: 170 mm"), kVectorWidth},
+            {tr("Paper, one column: 85 mm"), kOneColumn},
             {tr("Slide, 16 : 9"), kSlideWidth, kSlideHeight}};
   }
-  return {{tr("Screen"), PictureLayout().width, kPictureHeight},
-          {tr("Slide, 16 : 9"), 1920.0, 1080.0},
-          {tr("Two columns, 170 mm at 300 dpi"), kVectorWidth * kPrintDots, 0.0, kPrintScale},
-          {tr("One column, 85 mm at 300 dpi"), kOneColumn * kPrintDots, 0.0, kPrintScale}};
+  return {{tr("Screen, 1600 × 1000"), PictureLayout().width, kPictureHeight},
+          {tr("Slide, 1920 × 1080"), 1920.0, 1080.0},
+          {tr("Paper, two columns: 170 mm, 300 dpi"), kVectorWidth * kPrintDots, 0.0, kPrintScale},
+          {tr("Paper, one column: 85 mm, 300 dpi"), kOneColumn * kPrintDots, 0.0, kPrintScale}};
 }
 
 QString SavePictureDialog::suggestedName() const {
