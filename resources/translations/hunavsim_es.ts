@@ -9793,10 +9793,6 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <translation>Rama en %1</translation>
     </message>
     <message>
-        <source>The branch repeats the run up to %1 and pauses there. Without changes it is identical to the displayed run.</source>
-        <translation>La rama repite la ejecución hasta %1 y se detiene ahí. Sin cambios es idéntica a la ejecución mostrada.</translation>
-    </message>
-    <message>
         <source>From then on</source>
         <translation>A partir de ahí</translation>
     </message>
@@ -9871,6 +9867,22 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
     <message>
         <source>New random seed</source>
         <translation>Nueva semilla aleatoria</translation>
+    </message>
+    <message>
+        <source>The branch repeats the run up to %1 and pauses there.</source>
+        <translation>La rama repite la ejecución hasta %1 y se detiene ahí.</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>semilla</translation>
+    </message>
+    <message>
+        <source>No changes yet: the branch will be identical to the displayed run.</source>
+        <translation>Aún sin cambios: la rama será idéntica a la ejecución mostrada.</translation>
+    </message>
+    <message>
+        <source>Changes: %1</source>
+        <translation>Cambios: %1</translation>
     </message>
 </context>
 <context>

@@ -9793,10 +9793,6 @@ For each seed, all planners run with the same people.</source>
         <translation>在 %1 分支</translation>
     </message>
     <message>
-        <source>The branch repeats the run up to %1 and pauses there. Without changes it is identical to the displayed run.</source>
-        <translation>分支重放运行至 %1 并在那里暂停。不作更改时，它与显示的运行相同。</translation>
-    </message>
-    <message>
         <source>From then on</source>
         <translation>从那时起</translation>
     </message>
@@ -9871,6 +9867,22 @@ For each seed, all planners run with the same people.</source>
     <message>
         <source>New random seed</source>
         <translation>新的随机种子</translation>
+    </message>
+    <message>
+        <source>The branch repeats the run up to %1 and pauses there.</source>
+        <translation>分支将运行重复到 %1 并在该处暂停。</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>No changes yet: the branch will be identical to the displayed run.</source>
+        <translation>尚无更改：该分支将与所示运行相同。</translation>
+    </message>
+    <message>
+        <source>Changes: %1</source>
+        <translation>更改：%1</translation>
     </message>
 </context>
 <context>

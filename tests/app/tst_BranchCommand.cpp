@@ -344,6 +344,44 @@ class BranchCommandTest : public QObject {
     window_->setTheme(editor::Theme::light());
     QCOMPARE(runner().branches().size(), std::size_t{1});
   }
+
+  /// There is no empty space between its rows, before a change, with one and after it.
+  void dialog_isAsHighAsItsRows_andListsTheChanges() {
+    editor::BranchState state;
+    state.time = 5.0;
+    state.robots = {{"robot1", "dwa", 0.5}};
+    state.people = {{"Ana", {{1.0, 2.0}, 0.0}}};
+    BranchDialog dialog(state, text("Branch 1"), editor::Theme::light(), {});
+    dialog.show();
+    activate(dialog);
+    const auto says = [&dialog](const char* words) {
+      return widgets::findIf<QLabel>(dialog, [words](const QLabel* label) {
+               return label->text().startsWith(text(words));
+             }) != nullptr;
+    };
+    const auto largestGap = [&dialog] {
+      int gap = 0;
+      for (int k = 1; k < dialog.layout()->count(); ++k) {
+        const QRect above = dialog.layout()->itemAt(k - 1)->widget()->geometry();
+        gap = std::max(gap, dialog.layout()->itemAt(k)->widget()->y() - above.bottom() - 1);
+      }
+      return gap;
+    };
+    QVERIFY(says("No changes yet"));
+    QVERIFY2(largestGap() <= 12, qPrintable(QString::number(largestGap())));
+    const int height = dialog.height();
+    auto& people = *widgets::named<QComboBox>(dialog, text("Move a person"));
+    people.setCurrentIndex(1);
+    Q_EMIT people.activated(1);
+    QVERIFY(says("Changes: Ana"));
+    QTRY_VERIFY(largestGap() <= 12);
+    auto* remove = widgets::named<QToolButton>(dialog, text("Leave Ana in place"));
+    QTest::mouseClick(remove, Qt::LeftButton);
+    QVERIFY(says("No changes yet"));
+    QTRY_COMPARE(dialog.height(), height);
+    widgets::named<QComboBox>(dialog, text("Planner of robot1"))->setCurrentText(text("pursuit"));
+    QVERIFY(says("Changes: robot1.planner"));
+  }
 };
 
 QTEST_MAIN(BranchCommandTest)

@@ -19,7 +19,7 @@ namespace {
 constexpr double kFastestRobot = 10.0;      // [m/s]
 constexpr double kFarthestPlace = 10000.0;  // [m]
 constexpr double kDegrees = 180.0 / base::kPi;
-constexpr int kWidth = 480;
+constexpr int kWidth = 448;
 constexpr int kLabelWidth = 60;
 constexpr int kBesideFigure = 18;  // [px]
 
@@ -70,18 +70,19 @@ BranchDialog::BranchDialog(BranchState state, const QString& name, const Theme& 
     : QDialog(parent),
       state_(std::move(state)),
       check_(std::move(check)),
+      theme_(theme),
       name_(new QLineEdit(name, this)) {
   setWindowTitle(tr("Branch at %1").arg(clockText(state_.time)));
   setFont(theme.font());
   auto* layout = configuredLayout(new QVBoxLayout(this), {16, 16, 16, 16}, 12);
+  layout->setSizeConstraint(QLayout::SetFixedSize);  // As high as its rows.
   QLabel* says = secondaryLabel(
-      tr("The branch repeats the run up to %1 and pauses there. Without changes it is identical to "
-         "the displayed run.")
-          .arg(clockText(state_.time)),
+      tr("The branch repeats the run up to %1 and pauses there.").arg(clockText(state_.time)),
       this);
   says->setWordWrap(true);
   layout->addWidget(says);
   auto* section = new FormSection(tr("From then on"), this);
+  section->setFixedWidth(kWidth);
   name_->setAccessibleName(tr("Branch name"));
   section->addRow(tr("Name"), name_);
   addRobots(*section);
@@ -93,20 +94,15 @@ BranchDialog::BranchDialog(BranchState state, const QString& name, const Theme& 
   values_->setFixedHeight(3 * values_->fontMetrics().lineSpacing() + 12);
   section->addRow(tr("Other values"), values_);
   layout->addWidget(section);
-  layout->addStretch(1);
-  QPalette red = problem_->palette();
-  red.setColor(QPalette::WindowText, theme.color(Role::Error));
-  problem_->setPalette(red);
-  problem_->setWordWrap(true);
-  problem_->setFixedHeight(2 *
-                           problem_->fontMetrics().lineSpacing());  // The layout stays the same.
-  layout->addWidget(problem_);
+  connect(values_, &QPlainTextEdit::textChanged, this, &BranchDialog::showChanges);
+  note_->setWordWrap(true);
+  layout->addWidget(note_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("Create branch"));
   connect(buttons, &QDialogButtonBox::accepted, this, &BranchDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   layout->addWidget(buttons);
-  resize(kWidth, sizeHint().height());
+  showChanges();
   name_->setFocus();
   name_->selectAll();
 }
@@ -128,6 +124,10 @@ void BranchDialog::addRobots(FormSection& section) {
     row.speed->show(robot.maxVel, false);
     row.speed->setAccessibleName(tr("Top speed of %1").arg(label));
     section.addRow(label, row.planner, row.speed);
+    connect(row.planner, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            &BranchDialog::showChanges);
+    connect(row.speed, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            &BranchDialog::showChanges);
     robots_.push_back(row);
   }
 }
@@ -196,6 +196,7 @@ void BranchDialog::addMove(const std::string& person, const base::Pose2& pose) {
   moveRows_->insertWidget(moveRows_->count() - 1, move.row);
   moves_.push_back(move);
   fillPeople();
+  showChanges();
 }
 
 void BranchDialog::removeMove(const QWidget* row) {
@@ -205,6 +206,7 @@ void BranchDialog::removeMove(const QWidget* row) {
   found->row->deleteLater();
   moves_.erase(found);
   fillPeople();
+  showChanges();
 }
 
 void BranchDialog::addSeed(FormSection& section) {
@@ -214,6 +216,7 @@ void BranchDialog::addSeed(FormSection& section) {
   seed_->setEnabled(false);
   seed_->setAccessibleName(tr("Seed"));
   connect(drawsNewSeed_, &QCheckBox::toggled, seed_, &QSpinBox::setEnabled);
+  connect(drawsNewSeed_, &QCheckBox::toggled, this, &BranchDialog::showChanges);
   section.addRow(tr("Seed"), drawsNewSeed_, seed_);
 }
 
@@ -264,7 +267,34 @@ void BranchDialog::accept() {
     QDialog::accept();
     return;
   }
-  problem_->setText(QString::fromStdString(problems.front().message));  // May begin with a name.
+  showNote(QString::fromStdString(problems.front().message),
+           Role::Error);  // May begin with a name.
+}
+
+void BranchDialog::showNote(const QString& text, Role role) {
+  QPalette colors = note_->palette();
+  colors.setColor(QPalette::WindowText, theme_.color(role));
+  note_->setPalette(colors);
+  note_->setText(text);
+}
+
+/// "Changes: robot1.planner, Ana, seed"
+void BranchDialog::showChanges() {
+  const app::RunSpec now = changes();
+  QStringList names;
+  for (const std::string& pair : now.set) {
+    names << QString::fromStdString(pair.substr(0, pair.find('=')));
+  }
+  for (const MoveRow& move : moves_) {
+    names << QString::fromStdString(move.person);
+  }
+  if (now.seed) {
+    names << tr("seed");
+  }
+  showNote(names.isEmpty()
+               ? tr("No changes yet: the branch will be identical to the displayed run.")
+               : tr("Changes: %1").arg(names.join(QStringLiteral(", "))),
+           Role::TextSecondary);
 }
 
 BranchCommand::BranchCommand(SimulationRunner& runner, MapView& view, QAction& action,

@@ -69,9 +69,12 @@ class BranchDialog : public QDialog {
   void addMove(const std::string& person, const base::Pose2& pose);
   void removeMove(const QWidget* row);
   void fillPeople();
+  void showChanges();
+  void showNote(const QString& text, Role role);
 
   const BranchState state_;
   Check check_;
+  Theme theme_;
   QLineEdit* name_;
   std::vector<RobotRow> robots_;
   QComboBox* people_ = nullptr;  // Adds a row for a person.
@@ -80,7 +83,7 @@ class BranchDialog : public QDialog {
   QCheckBox* drawsNewSeed_ = new QCheckBox(tr("New random seed"), this);
   QSpinBox* seed_ = new QSpinBox(this);
   QPlainTextEdit* values_ = new QPlainTextEdit(this);
-  QLabel* problem_ = new QLabel(this);
+  QLabel* note_ = new QLabel(this);  // The changes, or what is wrong with them.
 };
 
 /// The command that branches a run: from the menu, the timeline, the map, plots and panels. It
