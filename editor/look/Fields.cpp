@@ -231,6 +231,9 @@ bool NumberField::event(QEvent* event) {
                        toolTip().isEmpty() ? whole : whole + QLatin1Char('\n') + toolTip(), this);
     return true;
   }
+  if (event->type() == QEvent::PaletteChange) {
+    setSecondaryColor(default_ || mixed_);
+  }
   return QDoubleSpinBox::event(event);
 }
 

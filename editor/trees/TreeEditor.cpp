@@ -30,9 +30,7 @@ void TreeEditor::setTheme(const Theme& theme) {
   fields_->setTheme(theme);
   running_->setTheme(theme);
   colorProblem(theme);
-  if (isVisible()) {
-    listPeople();  // Updates their marks.
-  }
+  listPeople();  // Updates their marks.
 }
 
 void TreeEditor::showEvent(QShowEvent* event) {

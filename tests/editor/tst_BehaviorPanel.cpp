@@ -302,6 +302,21 @@ class BehaviorPanelTest : public QObject {
     QCOMPARE(fileOf(0).mainTree, std::string("CuriousNavTree"));
   }
 
+  void blackboard_afterAnotherTheme_hasItsColours() {
+    select(0);
+    runner_->stepOnce();
+    const QTableWidget& entries = panel_->entries();
+    QTRY_VERIFY(entries.rowCount() > 0 && !entries.isHidden());
+    for (const bool isDark : {true, false}) {
+      const editor::Theme theme(isDark);
+      panel_->setTheme(theme);
+      for (int row = 0; row < entries.rowCount(); ++row) {
+        QCOMPARE(entries.item(row, 0)->foreground().color(),
+                 theme.color(editor::Role::TextSecondary));
+      }
+    }
+  }
+
   void run_marksWhatEachNodeReturned() {
     select(0);  // Ana walks to goal 1
     QCOMPARE(panel_->outline().statusOf(0), base::NodeStatus::Idle);

@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
 #include "editor/panels/properties/EntityPages.h"
 #include "sim2d/base/Text.h"
@@ -275,6 +276,19 @@ class ParameterRowsTest : public QObject {
     QCOMPARE(others->text(), QStringLiteral("horizn=1"));
     clear(*others);
     QVERIFY(given().empty());
+  }
+
+  void defaultNumber_afterAnotherTheme_hasItsColour() {
+    editor::applyTheme(editor::Theme::light());
+    NumberField field({}, QString());
+    field.show(0.5, true);
+    const auto* words = field.findChild<QLineEdit*>();
+    for (const bool isDark : {true, false}) {
+      const editor::Theme theme(isDark);
+      editor::applyTheme(theme);
+      QCOMPARE(words->palette().color(QPalette::Active, QPalette::Text),
+               theme.palette().color(QPalette::PlaceholderText));
+    }
   }
 };
 

@@ -137,6 +137,7 @@ void BehaviorPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   outline_->setTheme(theme);
   colorProblem();
+  showEntries();
 }
 
 void BehaviorPanel::follow() {
