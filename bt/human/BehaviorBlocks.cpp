@@ -13,7 +13,7 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
-constexpr const char* kEnd = "Block";
+constexpr const char* kBlockSuffix = "Block";
 constexpr const char* kRandomEnd = "RandomBlock";
 
 /// Person ids without blanks: "2, 3" -> {"2", "3"}.
@@ -183,7 +183,7 @@ NodeSpec blockToNode(const Block& block) {
   if (kind == nullptr) {
     return {};
   }
-  NodeSpec node = branchNode("Sequence", block.id + kEnd, {});
+  NodeSpec node = branchNode("Sequence", block.id + kBlockSuffix, {});
   node.children = kind->children(block.value("mode"), parseAgentIds(block.value("people")));
   fill(node, block);
   if (block.repeat == BlockRepeat::Once) {
@@ -206,10 +206,10 @@ std::optional<Block> readBlock(const NodeSpec& node) {
     block.probability = base::parseDouble(chance != nullptr ? *chance : "").value_or(0.3);
     inner = &node.children.back();
   }
-  if (inner->id != "Sequence" || !endsWith(inner->name, kEnd)) {
+  if (inner->id != "Sequence" || !endsWith(inner->name, kBlockSuffix)) {
     return std::nullopt;
   }
-  block.id = inner->name.substr(0, inner->name.size() - std::string(kEnd).size());
+  block.id = inner->name.substr(0, inner->name.size() - std::string(kBlockSuffix).size());
   const BlockType* kind = blockType(block.id);
   if (kind == nullptr) {
     return std::nullopt;
