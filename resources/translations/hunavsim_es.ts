@@ -13164,6 +13164,14 @@ Pulse P y haga clic para colocar una persona.</translation>
         <source>Enter %1 as a number</source>
         <translation>Introducir %1 como número</translation>
     </message>
+    <message>
+        <source>Use entry</source>
+        <translation>Usar entrada</translation>
+    </message>
+    <message>
+        <source>Use number</source>
+        <translation>Usar número</translation>
+    </message>
 </context>
 <context>
     <name>editor::WallTool</name>

@@ -13164,6 +13164,14 @@ Press P and click to place a person.</source>
         <source>Enter %1 as a number</source>
         <translation>以数值输入 %1</translation>
     </message>
+    <message>
+        <source>Use entry</source>
+        <translation>使用条目</translation>
+    </message>
+    <message>
+        <source>Use number</source>
+        <translation>使用数值</translation>
+    </message>
 </context>
 <context>
     <name>editor::WallTool</name>

@@ -174,11 +174,13 @@ class BehaviorPanelTest : public QObject {
     };
     const std::string before = distance();
     QVERIFY(named<editor::TextField>(QStringLiteral("distance")) == nullptr);
-    const auto press = [this](const QString& tip) {
+    QStringList words;
+    const auto press = [&](const QString& tip) {
       auto* button = widgets::findIf<QToolButton>(*panel_, [&](const QToolButton* each) {
         return each->isVisible() && each->toolTip().startsWith(tip);
       });
       if (button != nullptr) {
+        words << button->text();
         QTest::mouseClick(button, Qt::LeftButton);
       }
       return button != nullptr;
@@ -187,6 +189,7 @@ class BehaviorPanelTest : public QObject {
     QCOMPARE(distance(), std::string("{distance}"));
     QTRY_VERIFY(named<editor::TextField>(QStringLiteral("distance")) != nullptr);
     QVERIFY(press(QStringLiteral("Enter distance as a number")));
+    QCOMPARE(words, QStringList({QStringLiteral("Use entry"), QStringLiteral("Use number")}));
     QVERIFY(base::parseDouble(distance()).has_value());
     document_->undoStack().undo();
     document_->undoStack().undo();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -257,15 +258,20 @@ void ValueForm::show(ValueRows what) {
 
 /// Adds a button that switches between a constant and a blackboard entry.
 QWidget* ValueForm::withToggleButton(QWidget& field, const ValueRow& row) {
-  constexpr int kSwitchWidth = 30;
   auto* both = new QWidget(section_);
   const bool toEntry = row.alternative.front() == '{';
+  const QString words[] = {tr("Use entry"), tr("Use number")};
   auto* button = linkButton(
-      toEntry ? QStringLiteral("{ }") : QStringLiteral("12"),
+      {},
       toEntry ? tr("Read %1 from a blackboard entry").arg(row.label)
               : tr("Enter %1 as a number").arg(row.label),
       both, [this, key = row.key, text = qt(row.alternative)] { Q_EMIT edited(key, text); });
-  button->setFixedWidth(kSwitchWidth);
+  int width = 0;  // The same in all rows.
+  for (const QString& each : {words[toEntry ? 1 : 0], words[toEntry ? 0 : 1]}) {
+    button->setText(each);
+    width = std::max(width, button->sizeHint().width());
+  }
+  button->setFixedWidth(width);
   button->setEnabled(field.isEnabled());
   field.setAccessibleName(row.label);
   QSizePolicy policy = field.sizePolicy();
