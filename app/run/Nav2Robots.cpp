@@ -376,6 +376,19 @@ sim2d::Registries builtinRegistries() {
   return all;
 }
 
+std::vector<std::string> listedPlanners(const sim2d::Registries& registries) {
+  const auto groupOf = [](const std::string& name) {
+    const bool isExternal = name == sim2d::kExternalPlanner || name == sim2d::kLibraryPlanner ||
+                            name == sim2d::kOnnxPlanner || name == "ros2";
+    return isExternal ? 2 : name == sim2d::kNav2Planner ? 1 : 0;
+  };
+  std::vector<std::string> names = registries.planners.names();
+  std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return std::pair(groupOf(a), a) < std::pair(groupOf(b), b);
+  });
+  return names;
+}
+
 std::shared_ptr<const sim2d::Registries> sharedRegistries() {
   return std::make_shared<const sim2d::Registries>(builtinRegistries());
 }

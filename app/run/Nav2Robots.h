@@ -90,6 +90,9 @@ std::shared_ptr<const sim2d::Scenario> withNav2Bodies(
 
 /// All registries of the program, with the planner `nav2`, which is in a layer above the world.
 sim2d::Registries builtinRegistries();
+/// The names of planners in the order of lists: those of this program, nav2, then those that run
+/// code or policies of the user, alphabetically in each group.
+std::vector<std::string> listedPlanners(const sim2d::Registries& registries);
 std::shared_ptr<const sim2d::Registries> sharedRegistries();
 
 }  // namespace app

@@ -3,6 +3,7 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/FileKind.h"
+#include "app/run/Nav2Robots.h"
 #include "sim2d/base/Text.h"
 
 namespace {
@@ -55,6 +56,12 @@ class BundleTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void planners_inLists_areGroupedAndAlphabetical() {
+    QCOMPARE(QString::fromStdString(base::join(app::listedPlanners(app::builtinRegistries()), " ")),
+             QStringLiteral("dwa mppi orca pursuit replay social_force social_mppi straight teleop "
+                            "nav2 external library onnx ros2"));
+  }
+
   void check_fromMemory_makesAWorld() {
     const app::Verdict verdict = app::check(bundleOf());
     QVERIFY2(verdict.world != nullptr, textOf(verdict.problems).c_str());

@@ -181,12 +181,11 @@ QWidget* StudyForm::makePlanners() {
   rows->addWidget(editor::secondaryLabel(tr("Planners to compare"), part));
   editor::styleList(*planners_, tr("Planners"));
   const sim2d::Registries registries = builtinRegistries();
-  for (const auto& planner : registries.planners.entries()) {
-    const QString name = QString::fromStdString(planner.name);
-    if (needsConfiguration(name)) {
-      continue;
+  for (const std::string& planner : listedPlanners(registries)) {
+    const QString name = QString::fromStdString(planner);
+    if (!needsConfiguration(name)) {
+      addPlanner(name, editor::coreText(registries.planners.find(planner)->help));
     }
-    addPlanner(name, editor::coreText(planner.help));
   }
   planners_->setFlow(QListView::LeftToRight);
   planners_->setWrapping(true);

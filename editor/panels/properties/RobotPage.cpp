@@ -231,7 +231,7 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
   addField<Robot>(
       section, "planner",
       nameOptions(
-          registries.planners.names(), sim2d::ResolvedRobot{}.planner,
+          app::listedPlanners(registries), sim2d::ResolvedRobot{}.planner,
           [](const std::string& name) { return QString::fromStdString(name); }, helpOfName));
   FieldOptions command;
   command.visible = [](const std::vector<Entity>& shown) {

@@ -108,7 +108,7 @@ BranchDialog::BranchDialog(BranchState state, const QString& name, const Theme& 
 }
 
 void BranchDialog::addRobots(FormSection& section) {
-  const std::vector<std::string> planners = app::builtinRegistries().planners.names();
+  const std::vector<std::string> planners = app::listedPlanners(app::builtinRegistries());
   for (const BranchState::RobotState& robot : state_.robots) {
     RobotRow row{robot.name, robot.maxVel, new ChoiceField(&section),
                  new NumberField({0.0, kFastestRobot, 2, 0.1, true}, tr("m/s"), &section)};
