@@ -1,6 +1,8 @@
 #include "editor/trees/TreeCanvas.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "editor/document/PersonTree.h"
@@ -54,7 +56,25 @@ void TreeCanvas::relayout() {
 bool TreeCanvas::isFree(const QRect& place) const {
   const QRectF there(toGraph(place.topLeft()), QSizeF(place.size()) / zoom_);
   return std::none_of(graph_.shown().begin(), graph_.shown().end(), [&](int node) {
-    return graph_.box(node).adjusted(-8, -8, 8, 12).intersects(there);
+    return graph_.box(node).adjusted(-8, -8, 8, 12).intersects(there) ||
+           isCrossedByLine(there, node);
+  });
+}
+
+/// Whether the line from the node's parent passes through the rectangle of the graph.
+bool TreeCanvas::isCrossedByLine(const QRectF& place, int node) const {
+  const int parent = graph_.node(node).parent;
+  if (parent < 0) {
+    return false;
+  }
+  const bool isDown = graph_.direction() == TreeDirection::Down;
+  const QPointF from = graph_.outlet(parent), to = graph_.inlet(node);
+  const QPointF half = 0.5 * (from + to);
+  const QPointF first = isDown ? QPointF(from.x(), half.y()) : QPointF(half.x(), from.y());
+  const QPointF last = isDown ? QPointF(to.x(), half.y()) : QPointF(half.x(), to.y());
+  const std::pair<QPointF, QPointF> parts[] = {{from, first}, {first, last}, {last, to}};
+  return std::any_of(std::begin(parts), std::end(parts), [&place](const auto& part) {
+    return QRectF(part.first, part.second).normalized().adjusted(-2, -2, 2, 2).intersects(place);
   });
 }
 

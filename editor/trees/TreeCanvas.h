@@ -76,6 +76,7 @@ class TreeCanvas : public QWidget {
   bool moveChosen(const QKeyEvent& event);
   void hover(const QPoint& at);
   void endGesture();
+  bool isCrossedByLine(const QRectF& place, int node) const;
   void keepPartlyVisible();
   void fitTo(double leastZoom);
   void bringIntoView(int node);

@@ -281,6 +281,8 @@ namespace {
 
 constexpr double kMinScale = 24.0, kMaxScale = 60.0;  // [px/m]
 constexpr double kInsetRadius = 6.0;
+constexpr double kTitleHeight = 22.0;
+constexpr double kTitleOpacity = 0.85;
 
 }  // namespace
 
@@ -314,6 +316,25 @@ std::optional<Vec2> MapInset::centre() const {
   return human->initPose.position;
 }
 
+/// Above the map, so that it is not taken for an overview of the tree.
+void MapInset::paintTitle(QPainter& painter) const {
+  const Theme& theme = scene_.theme();
+  const QRectF bar(0.0, 0.0, width(), kTitleHeight);
+  painter.fillRect(bar, theme.color(Role::Panel, kTitleOpacity));
+  painter.setFont(theme.font());
+  painter.setPen(theme.color(Role::Text));
+  const QRectF words = bar.adjusted(8.0, 0.0, -8.0, 0.0);
+  painter.drawText(
+      words, Qt::AlignLeft | Qt::AlignVCenter,
+      painter.fontMetrics().elidedText(title(), Qt::ElideRight, qRound(words.width())));
+}
+
+QString MapInset::title() const {
+  const sim2d::Human* human = scene_.document().human(person_);
+  return human == nullptr ? QString()
+                          : tr("Map around %1").arg(QString::fromStdString(human->name));
+}
+
 void MapInset::paintEvent(QPaintEvent* /*event*/) {
   const std::optional<Vec2> at = centre();
   if (!at) {
@@ -336,6 +357,7 @@ void MapInset::paintEvent(QPaintEvent* /*event*/) {
   scene_.paintPart(painter, CanvasPart::All,
                    QRectF(toScene(*at) - QPointF(0.5 * seen.width(), 0.5 * seen.height()), seen));
   painter.restore();
+  paintTitle(painter);
   painter.setClipping(false);
   painter.setPen(QPen(scene_.theme().color(Role::FieldEdge), 1.0));
   painter.setBrush(Qt::NoBrush);

@@ -96,11 +96,14 @@ class MapInset : public QWidget {
   void follow(EntityId person);
   /// Position of the person in the shown state, else at the start; none if there is no person.
   std::optional<Vec2> centre() const;
+  QString title() const;  // "Map around Ana"
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintTitle(QPainter& painter) const;
+
   MapScene& scene_;
   SimulationRunner& runner_;
   EntityId person_;

@@ -10665,6 +10665,10 @@ Para cada semilla, todos los planificadores se ejecutan con las mismas personas.
         <source>The map around the person</source>
         <translation>El mapa alrededor de la persona</translation>
     </message>
+    <message>
+        <source>Map around %1</source>
+        <translation>Mapa alrededor de %1</translation>
+    </message>
 </context>
 <context>
     <name>editor::MapPaintTool</name>

@@ -10665,6 +10665,10 @@ For each seed, all planners run with the same people.</source>
         <source>The map around the person</source>
         <translation>行人周围的地图</translation>
     </message>
+    <message>
+        <source>Map around %1</source>
+        <translation>%1 周围的地图</translation>
+    </message>
 </context>
 <context>
     <name>editor::MapPaintTool</name>

@@ -75,6 +75,31 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
   }
   void cleanup() { quiet::leave(window_); }
 
+  void inset_showsThePersonWhereNoPartOfTheTreeIs() {
+    giveTree("Chloe", "<Sequence><AlwaysSuccess/><AlwaysSuccess/><AlwaysSuccess/></Sequence>");
+    open("Chloe");
+    const QWidget& inset = studio().inset();
+    QTRY_VERIFY(inset.isVisible());
+    QCOMPARE(studio().inset().title(), text("Map around Chloe"));
+    for (const int node : graph().shown()) {
+      QVERIFY(!inset.geometry().intersects(canvas().placeOf(node)));
+    }
+    const QPointF line = 0.5 * (graph().outlet(0) + graph().inlet(graph().childrenOf(0).front()));
+    QVERIFY(!canvas().isFree(QRect(canvas().fromGraph(line).toPoint(), QSize(3, 3))));
+    std::string column = "<AlwaysSuccess/>";
+    for (int k = 0; k < 8; ++k) {
+      column = "<Inverter>" + column + "</Inverter>";
+    }
+    std::string many;
+    for (int k = 0; k < 12; ++k) {
+      many += column;
+    }
+    giveTree("Chloe", ("<Sequence>" + many + "</Sequence>").c_str());
+    canvas().fit();
+    canvas().zoomBy(1.5 / canvas().zoom(), canvas().fromGraph(graph().bounds().center()));
+    QVERIFY(inset.isHidden());  // The tree is in all corners.
+  }
+
   void nobodySelected_shownPersonFeedsThePanel() {
     document().setSelection({});
     openLarge();
