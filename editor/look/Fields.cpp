@@ -6,6 +6,7 @@
 
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
+#include "editor/look/PathFields.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -393,6 +394,7 @@ ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
 TextField::TextField(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::textEdited, this, &TextField::judge);
   connect(this, &QLineEdit::editingFinished, this, &TextField::commit);
+  showEndOfPaths(*this);
 }
 
 void TextField::show(const QString& text) {

@@ -6,6 +6,8 @@
 #include <QHelpEvent>
 #include <QToolTip>
 
+#include "editor/look/PathFields.h"
+
 namespace editor {
 
 namespace {
@@ -35,9 +37,13 @@ bool WrappedToolTips::eventFilter(QObject* watched, QEvent* event) {
     return false;
   }
   const auto& help = static_cast<const QHelpEvent&>(*event);
-  const QString text = toolTipAt(*widget, help.pos());
-  if (Qt::mightBeRichText(text) || !hasLongLine(text)) {
+  QString text = toolTipAt(*widget, help.pos());
+  const QString path = pathShownInPart(*widget);
+  if (Qt::mightBeRichText(text) || (path.isEmpty() && !hasLongLine(text))) {
     return false;
+  }
+  if (!path.isEmpty()) {
+    text.prepend(text.isEmpty() ? path : path + QLatin1Char('\n'));
   }
   QToolTip::showText(help.globalPos(), Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal),
                      widget);

@@ -5,7 +5,8 @@
 namespace editor {
 
 /// Wraps long tooltips of widgets and list rows to a readable width; Qt shows plain text in one
-/// line. Installed on the application by applyTheme(). GUI thread.
+/// line. Those of fields begin with the path that is shown in part. Installed on the application by
+/// applyTheme(). GUI thread.
 class WrappedToolTips : public QObject {
   Q_OBJECT
  public:

@@ -2,6 +2,7 @@
 
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
 #include "editor/panels/properties/EntityPages.h"
 #include "editor/panels/properties/PropertyPanel.h"
@@ -318,6 +319,37 @@ class FieldFormsTest : public QObject {
     QTest::keyClicks(wheels, QStringLiteral("2.25"));
     QTest::keyClick(wheels, Qt::Key_Tab);
     QCOMPARE(document_.scenario().robots[0].mass, std::optional(1.25));
+  }
+
+  /// Paths that differ only in their beginning look the same, unless they are edited.
+  void path_tooLong_showsItsEnd() {
+    editor::applyTheme(editor::Theme::light());  // it is also that of tooltips
+    QWidget form;
+    editor::TextField field(&form);
+    QLineEdit other(&form);
+    field.setGeometry(0, 0, 120, 24);
+    field.setHint(QStringLiteral("The parameter file"));
+    other.setGeometry(0, 30, 120, 24);
+    form.show();
+    QVERIFY(QTest::qWaitForWindowActive(&form));
+    other.setFocus();
+    const auto imageOf = [&field](const char* path) {
+      field.show(QString::fromUtf8(path));
+      return field.grab().toImage();
+    };
+    const QImage one = imageOf("/home/one/a/folder/that/is/far/away/params/nav2.yaml");
+    QVERIFY(imageOf("/home/two/a/folder/that/is/far/away/params/nav2.yaml") == one);
+    QVERIFY(imageOf("/home/one/a/folder/that/is/far/away/params/nav3.yaml") != one);
+    QVERIFY(imageOf("no path, one that is longer than its field") !=
+            imageOf("no path, two that is longer than its field"));
+    const QString path = QStringLiteral("/home/one/a/folder/that/is/far/away/params/nav2.yaml");
+    field.show(path);
+    QHelpEvent help(QEvent::ToolTip, QPoint(5, 5), field.mapToGlobal(QPoint(5, 5)));
+    QCoreApplication::sendEvent(&field, &help);
+    QVERIFY2(QToolTip::text().contains(path), qPrintable(QToolTip::text()));
+    QVERIFY(QToolTip::text().contains(QStringLiteral("The parameter file")));
+    field.setFocus();
+    QVERIFY(field.grab().toImage() != one);
   }
 
   /// Whatever the width and the font; the number itself keeps all digits.

@@ -6,6 +6,7 @@
 #include "editor/look/CoreText.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/look/PathFields.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -48,6 +49,7 @@ ExportDialog::ExportDialog(Bundle source, const QString& folder, const editor::T
       theme_(theme),
       folder_(new QLineEdit(folder, this)) {
   setWindowTitle(tr("Export"));
+  editor::showEndOfPaths(*folder_);
   build();
   fillTargets();
   connect(targets_, &QListWidget::currentRowChanged, this, &ExportDialog::replan);

@@ -4,6 +4,7 @@
 
 #include "app/window/RunCommands.h"
 #include "editor/look/AppStyle.h"
+#include "editor/look/PathFields.h"
 
 namespace app {
 
@@ -117,6 +118,7 @@ QWidget* PreferencesDialog::makeFiles() {
        tr("Where file dialogs start for a scenario that is not saved yet"));
   folder_->setPlaceholderText(tr("Folder of the last used file"));
   editor::addClearButton(*folder_);
+  editor::showEndOfPaths(*folder_);
   auto* label = new QLabel(tr("&Default folder"), page);
   label->setBuddy(folder_);
   form->addRow(label, row);
