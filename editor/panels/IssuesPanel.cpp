@@ -48,22 +48,16 @@ QString labelOfKey(const std::string& key) {
 }
 
 /// "max_vel 99 is …" as "Top speed (max_vel) 99 is …", because forms do not show keys.
-QString withLabel(const base::Diagnostic& issue, QString text) {
-  const auto* const key = base::findIf(
-      issue.values, [](const auto& value) { return value.first == std::string_view("key"); });
-  if (key == nullptr) {
-    return text;
-  }
+base::Diagnostic withLabel(const base::Diagnostic& issue) {
+  const std::string key = issue.value("key");
   const EntityKind kind = issue.entity.kind;
-  const QString label =
-      kind == EntityKind::Human
-          ? labelOfKey<sim2d::Human, sim2d::Behavior, sim2d::PersonExtension>(key->second)
-      : kind == EntityKind::Robot ? labelOfKey<sim2d::Robot>(key->second)
-      : kind == EntityKind::Area  ? labelOfKey<sim2d::Area>(key->second)
-                                  : QString();
-  const QString name = QString::fromStdString(key->second);
-  const int at = label.isEmpty() ? -1 : text.indexOf(name + QLatin1Char(' '));
-  return at < 0 ? text : text.replace(at, name.size(), QStringLiteral("%1 (%2)").arg(label, name));
+  const QString label = kind == EntityKind::Human
+                            ? labelOfKey<sim2d::Human, sim2d::Behavior, sim2d::PersonExtension>(key)
+                        : kind == EntityKind::Robot ? labelOfKey<sim2d::Robot>(key)
+                        : kind == EntityKind::Area  ? labelOfKey<sim2d::Area>(key)
+                                                    : QString();
+  return label.isEmpty() ? issue
+                         : base::withValue("key", label.toStdString() + " (" + key + ")", issue);
 }
 
 /// Removes duplicates: problems with the same message about the same entity, wherever they were
@@ -86,7 +80,7 @@ base::Diagnostics withoutRepeatedIssues(const base::Diagnostics& all) {
 QString issueSentence(const base::Diagnostic& issue) {
   const QString text = base::startsWith(issue.code, "tree.")
                            ? treeProblemText(issue)
-                           : withLabel(issue, QString::fromStdString(issue.message));
+                           : QString::fromStdString(withLabel(issue).message);
   const EntityKind about = issue.entity.kind;
   const bool isNamed =
       about != EntityKind::None && about != EntityKind::Scenario && about != EntityKind::Goal;

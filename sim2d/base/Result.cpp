@@ -25,6 +25,8 @@ constexpr bool areSortedAndUnique() {
 }
 static_assert(areSortedAndUnique(), "problems.txt must be sorted by id, without duplicates");
 
+constexpr std::string_view kContext = "where";  // the name of the value of withContext()
+
 /// A placeholder in a text: {name}, or {name?text shown only with a value, which replaces %}.
 struct Placeholder {
   std::size_t begin = std::string_view::npos, end = 0;
@@ -56,6 +58,22 @@ std::string substituted(const Placeholder& placeholder, const std::string& value
   std::string text(isHint ? " (did you mean '%'?)" : placeholder.pattern);
   const std::size_t place = text.find('%');
   return value.empty() || place == text.npos ? std::string() : text.replace(place, 1, value);
+}
+
+/// The catalogue's text with these values, after the contexts among them.
+std::string messageOf(const Diagnostic& problem, std::string_view text) {
+  std::string message;
+  for (const auto& [name, value] : problem.values) {
+    message += name == kContext ? value + ": " : std::string();
+  }
+  std::size_t at = 0;
+  while (const std::optional<Placeholder> placeholder = nextPlaceholder(text, at)) {
+    message += text.substr(at, placeholder->begin - at);
+    message += substituted(*placeholder, problem.value(placeholder->name));
+    at = placeholder->end;
+  }
+  message += text.substr(at);
+  return message;
 }
 
 }  // namespace
@@ -112,7 +130,6 @@ Diagnostic problem(Severity severity, std::string_view code, ProblemValues value
   auto next = values.begin();
   std::size_t at = 0;
   while (const std::optional<Placeholder> placeholder = nextPlaceholder(text, at)) {
-    made.message += text.substr(at, placeholder->begin - at);
     at = placeholder->end;
     const bool again = std::any_of(made.values.begin(), made.values.end(), [&](const auto& value) {
       return value.first == placeholder->name;
@@ -122,10 +139,9 @@ Diagnostic problem(Severity severity, std::string_view code, ProblemValues value
       made.values.emplace_back(placeholder->name,
                                next == values.end() ? std::string() : std::move((next++)->text));
     }
-    made.message += substituted(*placeholder, made.value(placeholder->name));
   }
   assert(next == values.end() && "a value without a placeholder");
-  made.message += text.substr(at);
+  made.message = messageOf(made, text);
   return made;
 }
 
@@ -153,14 +169,25 @@ Diagnostic outOfRange(const std::string& found, const Range& range) {
 
 Diagnostic withContext(const std::string& where, Diagnostic problem) {
   problem.message.insert(0, where + ": ");
-  problem.values.emplace(problem.values.begin(), "where", where);
+  problem.values.emplace(problem.values.begin(), kContext, where);
   return problem;
 }
 
 Diagnostic withNewContext(const std::string& where, Diagnostic problem) {
-  assert(!problem.values.empty() && problem.values.front().first == "where");
+  assert(!problem.values.empty() && problem.values.front().first == kContext);
   problem.message.replace(0, problem.values.front().second.size(), where);
   problem.values.front().second = where;
+  return problem;
+}
+
+Diagnostic withValue(std::string_view name, const std::string& value, Diagnostic problem) {
+  const ProblemText* const known = problemText(problem.code);
+  for (auto& [key, text] : problem.values) {
+    text = known != nullptr && key == name ? value : text;
+  }
+  if (known != nullptr) {
+    problem.message = messageOf(problem, known->text);
+  }
   return problem;
 }
 

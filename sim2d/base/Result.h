@@ -64,6 +64,8 @@ Diagnostic problem(Severity severity, std::string_view code, ProblemValues value
 Diagnostic withContext(const std::string& where, Diagnostic problem);
 /// Replaces that prefix.
 Diagnostic withNewContext(const std::string& where, Diagnostic problem);
+/// The problem with another value of this placeholder, also in its message.
+Diagnostic withValue(std::string_view name, const std::string& value, Diagnostic problem);
 /// The problem of a number outside its range.
 Diagnostic outOfRange(const std::string& found, const Range& range);
 

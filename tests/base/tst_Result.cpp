@@ -114,6 +114,17 @@ class ResultTest : public QObject {
     QVERIFY(moved.message == "2 people: vel 2.5 is above 1.8: HuNavSim's loader clamps it");
     QVERIFY(moved.value("where") == "2 people" && moved.code == problem.code);
   }
+
+  /// Only the placeholder: the name of the person is the same word.
+  void withValue_ofAPlaceholder_isInTheMessage() {
+    const Diagnostic problem = base::withContext(
+        "model", base::error("scenario.unknown-word", {"model", "sfn", "sfm", "sfm, orca"}));
+    const Diagnostic labelled = base::withValue("key", "Model (model)", problem);
+    QVERIFY(labelled.message ==
+            "model: Model (model) 'sfn' is unknown (did you mean 'sfm'? known: sfm, orca)");
+    QVERIFY(labelled.value("key") == "Model (model)" && labelled.code == problem.code);
+    QVERIFY(base::withValue("goal", "7", problem).message == problem.message);
+  }
 };
 
 QTEST_APPLESS_MAIN(ResultTest)

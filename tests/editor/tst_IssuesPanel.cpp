@@ -86,6 +86,10 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(editor::issueSentence(found),
              QStringLiteral("Ana: Top speed (max_vel) 99 is implausible: usual values are 0 to 4 "
                             "m/s"));
+    base::Diagnostic named = base::withContext(
+        "max_vel ", base::warning("scenario.implausible", {"max_vel", 99.0, 0.0, 4.0, "m/s"}));
+    named.entity = ana().key;  // the name of a person is no key
+    QVERIFY(editor::issueSentence(named).startsWith(QStringLiteral("max_vel : Top speed")));
     found.entity = {};  // of a kind without a form
     QVERIFY(editor::issueSentence(found).contains(QStringLiteral("Ana: max_vel 99")));
   }
