@@ -184,6 +184,8 @@ std::optional<NodeManifest> parseNode(const std::string& line, NodeOrigin origin
   for (std::string mark = takeWord(rest); !mark.empty(); mark = takeWord(rest)) {
     if (mark == "own") {
       node.origin = NodeOrigin::Ours;
+    } else if (mark == "goals") {
+      node.usesGoals = true;
     } else {
       assert(mark == "children");
       node.minChildren = static_cast<int>(takeNumber(rest));

@@ -48,7 +48,8 @@ struct NodeManifest {
   std::string description;
   NodeOrigin origin = NodeOrigin::Ours;
   int minChildren = 0;
-  int maxChildren = 0;  // -1 = any number
+  int maxChildren = 0;     // -1 = any number
+  bool usesGoals = false;  // walks to the goals of the person's list, or changes the list
 
   const PortSpec* port(std::string_view name) const;  // nullptr = no such port
 };
@@ -73,12 +74,13 @@ class NodeCatalogue {
 ///   threshold length default 1.0|Nearer than this is close.
 ///
 /// The name of a node may be followed by `own` (origin NodeOrigin::Ours instead of `origin`) and
-/// `children MIN MAX`. A port has a name, a type (int, number, bool, text, status, queue, any,
-/// milliseconds, seconds, metres, or, with a recommended range, length, speed, duration, angle) and
-/// options: needed, default TEXT (also the suggested text), unit UNIT, range MIN MAX, atMost MAX
-/// (no lower limit), unless PORT PORT (optional if both of these ports are given), output, inout,
-/// suggest TEXT (up to the bar). A line without a bar repeats ports that are defined above it; the
-/// last definition of each name is used. Ports defined before the first node belong to no node.
+/// `children MIN MAX` and `goals` (NodeManifest::usesGoals). A port has a name, a type (int,
+/// number, bool, text, status, queue, any, milliseconds, seconds, metres, or, with a recommended
+/// range, length, speed, duration, angle) and options: needed, default TEXT (also the suggested
+/// text), unit UNIT, range MIN MAX, atMost MAX (no lower limit), unless PORT PORT (optional if both
+/// of these ports are given), output, inout, suggest TEXT (up to the bar). A line without a bar
+/// repeats ports that are defined above it; the last definition of each name is used. Ports defined
+/// before the first node belong to no node.
 NodeCatalogue parseNodeCatalogue(std::string_view text, NodeOrigin origin);
 
 /// All controls, decorators and leaves of BehaviorTree.CPP that are supported, including "SubTree".

@@ -18,6 +18,7 @@ namespace editor {
 namespace {
 
 constexpr const char* kRegularTree = "RegularNavTree";
+constexpr const char* kGoalPort = "goal_id";
 
 /// A file with its includes. Missing includes are left out, except for the one that all generated
 /// trees include.
@@ -80,6 +81,13 @@ std::optional<std::string> customTreeText(const ScenarioDocument& document, Enti
 void pushFile(ScenarioDocument& document, EntityId person, const bt::TreeFile& file,
               const QString& text) {
   pushTreeText(document, person, customTreeText(document, person, file), text);
+}
+
+/// Whether the node or one below it uses the person's list of goals.
+bool usesGoals(const bt::NodeSpec& node) {
+  const bt::NodeManifest* const manifest = treeCatalogue().find(node.id);
+  return (manifest != nullptr && manifest->usesGoals) ||
+         std::any_of(node.children.begin(), node.children.end(), usesGoals);
 }
 
 OutlineNode rootOf(const PersonTree& tree, const bt::TreeTable::Entry& entry, int parent) {
@@ -153,21 +161,24 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
 }
 
 std::vector<int> walkedGoals(const ScenarioDocument& document, const sim2d::Human& human) {
-  // The text suffices to recognize most trees, and is much faster than reading all trees.
-  static constexpr std::string_view kUseOwnGoals[] = {
-      "RegularNav", "ScaredNav", "SetGroupWalk", "SetGoal", "UpdateGoal", "PassOnSide", "<include"};
   const std::optional<std::string> text = document.tree(human.key);
-  const auto isUsed = [&text](std::string_view node) {
-    return text->find(node) != std::string::npos;
-  };
-  if (!text || std::any_of(std::begin(kUseOwnGoals), std::end(kUseOwnGoals), isUsed)) {
+  if (!text) {
     return human.goals;
+  }
+  const base::Result<bt::TreeFile> file = bt::readTreeText(*text);
+  const auto isUsedIn = [](const bt::TreeSpec& tree) { return usesGoals(tree.root); };
+  if (!file || std::any_of(file->trees.begin(), file->trees.end(), isUsedIn)) {
+    return human.goals;  // Most trees; the others are read with their includes.
   }
   const PersonTree tree = personTree(document, human.key);
   std::vector<int> goals;
   for (const OutlineNode& node : outlineOf(tree)) {
-    const std::string* goal =
-        node.node->id == "GoTo" ? bt::findAttribute(node.node->ports, "goal_id") : nullptr;
+    const bt::NodeManifest* const manifest = treeCatalogue().find(node.node->id);
+    if (manifest != nullptr && manifest->usesGoals) {
+      return human.goals;
+    }
+    const bool isToGoal = manifest != nullptr && manifest->port(kGoalPort) != nullptr;
+    const std::string* goal = isToGoal ? bt::findAttribute(node.node->ports, kGoalPort) : nullptr;
     const std::optional<int> id = goal == nullptr ? std::nullopt : bt::intFromText(*goal);
     if (id) {
       goals.push_back(*id);

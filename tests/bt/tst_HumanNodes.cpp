@@ -125,6 +125,17 @@ void rowsOfStatefulNodes() {
 class HumanNodesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void manifests_ofNodesThatUseTheGoals_sayIt() {
+    QStringList ids;
+    for (const bt::NodeManifest& node : bt::humanNodes().catalogue().all()) {
+      if (node.usesGoals) {
+        ids << QString::fromStdString(node.id);
+      }
+    }
+    ids.sort();
+    QCOMPARE(ids.join(QLatin1Char(' ')),
+             QStringLiteral("PassOnSide RegularNav ScaredNav SetGoal SetGroupWalk UpdateGoal"));
+  }
   void init() {
     world_ = scene();
     bench_.emplace(world_);

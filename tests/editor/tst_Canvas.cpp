@@ -152,7 +152,10 @@ class CanvasTest : public QObject, private CanvasTester {
     QCOMPARE(editor::walkedGoals(document_, *document_.human(person)), std::vector<int>{2});
     QVERIFY(routeWith("<AlwaysSuccess/>").empty());
     QVERIFY(routeWith("<RegularNav agent_id=\"{id}\" dt=\"{dt}\"/>") == own);
-    for (int k = 0; k < 3; ++k) {
+    const EntityRoute named =  // a name and a comment are no nodes
+        routeWith("<!-- no RegularNav --><GoTo name=\"SetGoal\" agent_id=\"{id}\" goal_id=\"2\"/>");
+    QVERIFY(named == one);
+    for (int k = 0; k < 4; ++k) {
       document_.undoStack().undo();
     }
     scene_.routes().finish();

@@ -119,11 +119,11 @@ agent_id goal_id target_x target_y time_step
 tolerance length default 0.1|The goal is reached within this distance plus 0.1 m.
 temporary bool|Accepted for existing files; has no effect.
 stop_duration seconds|Accepted for existing files; has no effect.
-Action UpdateGoal|Goals|Removes the current goal from the list; with cyclic goals it is appended at the end. Fails without goals.
+Action UpdateGoal goals|Goals|Removes the current goal from the list; with cyclic goals it is appended at the end. Fails without goals.
 agent_id
-Action SetGoal|Goals|Appends a global goal to the person's list; goals set in the first tick replace those of the scenario.
+Action SetGoal goals|Goals|Appends a global goal to the person's list; goals set in the first tick replace those of the scenario.
 agent_id goal_id target_x target_y
-Action RegularNav|Walking|One time step towards the current goal; without a goal the person comes to rest.
+Action RegularNav goals|Walking|One time step towards the current goal; without a goal the person comes to rest.
 agent_id time_step
 Condition IsGoalReached|Goals|The person is within the radius of the current goal, plus 0.1 m; never without a goal.
 agent_id
@@ -134,7 +134,7 @@ tolerance length default 0.1|Maximum distance to the goal.
 Action SetGroupId|Groups|Puts the person into a group.
 agent_id int needed suggest {id}|Id of the person.
 group_id int needed suggest 5|Number of the group; -1: no group.
-Action SetGroupWalk|Groups|Forms a group with the goals of the main person, whom this node controls; the others follow their own trees. Groups and goals are restored at the end.
+Action SetGroupWalk goals|Groups|Forms a group with the goals of the main person, whom this node controls; the others follow their own trees. Groups and goals are restored at the end.
 main_agent_id int needed suggest {id}|Id of the person who leads.
 non_main_agent_ids time_step duration
 )";

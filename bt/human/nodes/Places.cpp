@@ -271,7 +271,7 @@ NodeStatus use(LeafContext& leaf, HumanContext& context, Memory& memory) {
 }
 
 constexpr const char* kNodes = R"(
-Action PassOnSide own|Reactions|Passes the robot ahead on the person's left or right; fails if there is none ahead.
+Action PassOnSide own goals|Reactions|Passes the robot ahead on the person's left or right; fails if there is none ahead.
 agent_id
 side text default right|left or right, seen by the person.
 distance length default 4.0|Distance to the robot at which the node starts.

@@ -107,7 +107,7 @@ Action CuriousNav|Reactions|One time step towards the robot, slower with decreas
 agent_id time_step beh_duration only_once
 agent_vel speed needed suggest 1.0|Speed far from the robot.
 stop_distance length needed suggest 0.5|Distance to the robot at which the person stops.
-Action ScaredNav|Reactions|One time step away from the robot. With scary_force_factor and without safe_distance: one time step to the goals while the robot repels the person.
+Action ScaredNav goals|Reactions|One time step away from the robot. With scary_force_factor and without safe_distance: one time step to the goals while the robot repels the person.
 agent_id time_step beh_duration only_once
 runaway_vel speed needed suggest 1.5|Speed while fleeing.
 safe_distance length default 5.0 suggest|Distance to which the person flees.
