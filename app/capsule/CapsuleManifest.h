@@ -20,7 +20,7 @@ constexpr char kStudyFolder[] = "study/";
 
 /// An input file of the study.
 struct CapsuleInput {
-  std::string path;    // as the study recorded it
+  std::string path;    // as the study of the capsule records it (StudyMembers.h)
   std::string sha256;  // as the study recorded it
   std::string member;  // empty: external code that was not packed
 };

@@ -10,6 +10,7 @@
 #include "app/capsule/Archive.h"
 #include "app/capsule/CapsuleManifest.h"
 #include "app/capsule/InputTree.h"
+#include "app/capsule/StudyMembers.h"
 #include "app/capsule/StudySource.h"
 #include "app/capsule/Texts.h"
 #include "app/capsule/Unpacked.h"
@@ -31,6 +32,7 @@ bool isExecutable(const std::string& file) {
   return ::access(file.c_str(), X_OK) == 0;
 }
 
+/// The inputs have the paths that the study recorded.
 CapsuleManifest manifestOf(const StudySource& source, bool withCode) {
   CapsuleManifest manifest;
   manifest.isBatch = source.isBatch;
@@ -54,8 +56,22 @@ CapsuleManifest manifestOf(const StudySource& source, bool withCode) {
   return manifest;
 }
 
-/// All members but the manifest and the checksums.
-std::vector<ArchiveMember> contentOf(const StudySource& source, const CapsuleManifest& manifest) {
+/// Names of the study for what it recorded with absolute paths.
+PathNames renameInputs(const StudySource& source, CapsuleManifest& manifest) {
+  std::vector<std::string> members;
+  members.reserve(manifest.inputs.size());
+  for (const CapsuleInput& input : manifest.inputs) {
+    members.push_back(input.member);
+  }
+  PathNames names(source, members);
+  for (CapsuleInput& input : manifest.inputs) {
+    input.path = names.replaced(input.path);
+  }
+  return names;
+}
+
+/// The input files.
+std::vector<ArchiveMember> inputsOf(const StudySource& source, const CapsuleManifest& manifest) {
   std::vector<ArchiveMember> members;
   for (std::size_t k = 0; k < source.inputs.size(); ++k) {
     const SourceInput& input = source.inputs[k];
@@ -67,9 +83,6 @@ std::vector<ArchiveMember> contentOf(const StudySource& source, const CapsuleMan
       const std::string file = input.content.empty() ? input.path : "";
       members.push_back({name, input.content, file, false, input.isCode && isExecutable(file)});
     }
-  }
-  for (const std::string& name : source.files) {
-    members.push_back({kStudyFolder + name, {}, app::pathIn(source.folder, name), false});
   }
   return members;
 }
@@ -124,12 +137,22 @@ base::Result<PackedStudy> packStudy(const PackOptions& options) {
     return source.diagnostics();
   }
   CapsuleManifest manifest = manifestOf(*source, options.withCode);
+  const PathNames names = renameInputs(*source, manifest);
+  const base::Result<TemporaryFolder> temporary = TemporaryFolder::create();
+  if (!temporary) {
+    return temporary.diagnostics();
+  }
   base::Result<std::vector<ArchiveMember>> texts = textMembers(*source);
-  if (!texts) {
-    return texts.diagnostics();
+  base::Result<std::vector<ArchiveMember>> files = studyMembers(*source, names, temporary->path());
+  if (!texts || !files) {
+    return texts ? files.diagnostics() : texts.diagnostics();
+  }
+  for (ArchiveMember& text : *texts) {
+    text.content = names.replaced(std::move(text.content));
   }
   const ArchiveMember type = {kTypeMember, kTypeText, {}, true};
-  std::vector<ArchiveMember> members = contentOf(*source, manifest);
+  std::vector<ArchiveMember> members = inputsOf(*source, manifest);
+  members.insert(members.end(), files->begin(), files->end());
   members.insert(members.end(), texts->begin(), texts->end());
   base::Diagnostics problems = addHashes(members, manifest.members);
   base::append(problems, addHashes({type}, manifest.members));

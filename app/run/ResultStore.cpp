@@ -438,6 +438,35 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
   return endOfRows();
 }
 
+base::Diagnostics ResultStore::replacePaths(
+    const std::function<std::string(const std::string&)>& replaced) {
+  std::vector<std::pair<long long, std::string>> reasons;
+  {
+    const SqlStatement statement(database_, "SELECT run, reason FROM runs WHERE reason<>''");
+    while (statement.step()) {
+      reasons.emplace_back(statement.number(0), replaced(statement.text(1)));
+    }
+  }
+  bool isDone = run("BEGIN IMMEDIATE");
+  const auto update = [&](const char* sql, const auto&... values) {
+    const SqlStatement statement(database_, sql, values...);
+    statement.step();
+    isDone = isDone && sqlite3_errcode(database_) == SQLITE_DONE;
+  };
+  for (InputHash& input : study_.inputs) {
+    update("UPDATE inputs SET path=? WHERE path=?", replaced(input.path), input.path);
+    input.path = replaced(input.path);
+  }
+  study_.experimentPath = replaced(study_.experimentPath);
+  update("UPDATE experiment SET value=? WHERE key='path'", study_.experimentPath);
+  for (const auto& [index, reason] : reasons) {
+    update("UPDATE runs SET reason=? WHERE run=?", reason, index);
+  }
+  // VACUUM: no former text stays in unused parts of pages.
+  return isDone && run("COMMIT") && run("VACUUM") ? base::Diagnostics()
+                                                  : sqliteError("batch.cannot-store");
+}
+
 base::Diagnostics ResultStore::close() {
   insertion_.reset();
   const bool isPlain = run("PRAGMA journal_mode=DELETE");

@@ -100,6 +100,9 @@ class ResultStore {
   base::Diagnostics setEnoughSeeds(std::size_t seeds);
   /// Visits all stored runs by index.
   base::Diagnostics forEach(const std::function<void(const StoredRun&)>& visit) const;
+  /// Replaces the paths of the experiment and its inputs, and paths in the reasons of runs.
+  /// `replaced`: the text that takes the place of another.
+  base::Diagnostics replacePaths(const std::function<std::string(const std::string&)>& replaced);
   /// Merges the write-ahead log into one file that other programs can read.
   base::Diagnostics close();
 

@@ -82,6 +82,26 @@ class PackProgramTest : public QObject {
     QVERIFY(names.contains(text("study/trajectory.csv")));
   }
 
+  /// A capsule is published: so it must not name folders of a user. Searched in all files,
+  /// results.sqlite too, after `report` has written commands that repeat runs.
+  void packed_containsNoPathsOfTheMachine() {
+    if (shell(text("command -v unzip")).isEmpty()) {
+      QSKIP("no unzip");
+    }
+    QCOMPARE(failureOf("batch % -o % -q", {path("study.yaml"), path("reported")}), QString());
+    QCOMPARE(failureOf("report % --no-pdf -q", {path("reported")}), QString());
+    QVERIFY(outside::bytesOf(path("reported/report.html")).contains(path("study.yaml").toUtf8()));
+    const std::pair<const char*, QString> packed[] = {
+        {"reported", path("")}, {"run", text(SOURCE_DIR)}, {"run", path("")}};
+    for (const auto& [study, secret] : packed) {
+      QCOMPARE(pack(path(study), "secret.hnv", {text("--force")}).exitCode, 0);
+      QCOMPARE(shell(text("rm -rf secret; unzip -q secret.hnv -d secret; grep -rlaF '%1' secret")
+                         .arg(QDir::cleanPath(secret))),
+               QString());
+      QCOMPARE(failureOf("verify % --sample 100%", {path("secret.hnv")}), QString());
+    }
+  }
+
   void folders_thatAreNoStudies_areErrors() {
     QCOMPARE(outside::unexpected(pack(path("absent"), "x.hnv"), 2, "is not the folder of a batch"),
              QString());

@@ -382,10 +382,12 @@ class TamperingTest : public QObject {
     QTest::newRow("newer") << QByteArray("\"format\": 1") << QByteArray("\"format\": 2")
                            << QByteArray("newer format");
     QTest::newRow("name that leaves the folder")
-        << QByteArray("inputs/files/study.yaml") << QByteArray("inputs/../../../etc/passwd")
+        << QByteArray("\"member\": \"inputs/files/study.yaml\"")
+        << QByteArray("\"member\": \"inputs/../../../etc/passwd\"")
         << QByteArray("not the manifest");
-    QTest::newRow("absolute name") << QByteArray("inputs/files/study.yaml")
-                                   << QByteArray("/etc/passwd") << QByteArray("not the manifest");
+    QTest::newRow("absolute name")
+        << QByteArray("\"member\": \"inputs/files/study.yaml\"")
+        << QByteArray("\"member\": \"/etc/passwd\"") << QByteArray("not the manifest");
     QTest::newRow("wrong type") << QByteArray("\"runs\": 4") << QByteArray("\"runs\": \"4\"")
                                 << QByteArray("not the manifest");
   }
