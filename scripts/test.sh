@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks the format, builds (dev) and runs every test. Usage: scripts/test.sh [--all]
-# --all adds the Python module, fuzzing, the sanitizers, a long monkey test of the window, clang-tidy and the benchmarks.
+# --all builds with the Python module (full) and adds long tests, fuzzing, the sanitizers, a long monkey
+# test of the window, clang-tidy and the benchmarks.
 # --monkey MINUTES [SEED] runs only the monkey test, for that time, from this seed on.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -209,16 +210,10 @@ check_threads() {
   run_tests tsan -L '^(core|threads)$'
 }
 
-check_python() {
-  need_packages "${packages_to_python[@]}"
-  build_preset bench hunavsim_python hunavsim  # as released; the benchmarks need the same libraries
-  run_tests bench -L '^python$'
-}
-
+# They have to run; `ctest --preset bench -C Bench -L bench` measures them as released.
 run_benchmarks() {
-  build_preset bench benchmarks
-  run_tests bench -L '^bench$' --parallel 1
-  say "results of the benchmarks: $build/bench/bench/*.csv"
+  run_tests full -C Bench -L '^bench$' --parallel 1
+  say "results of the benchmarks: $build/full/bench/*.csv"
 }
 
 # stage COMMAND: in a shell of its own; after one that fails the others go on, and the end tells.
@@ -267,17 +262,18 @@ if [ -n "$minutes" ]; then
 fi
 need_peers
 check_format
-build_preset dev
 keep_home_clean
 if [ "$all" = no ]; then
+  build_preset dev
   run_tests dev
   exit
 fi
 
-need_packages "${packages_to_fuzz[@]}" "${packages_to_check[@]}"
-stage run_tests dev
+need_packages "${packages_to_python[@]}" "${packages_to_fuzz[@]}" "${packages_to_check[@]}"
+build_preset full
+stage run_tests full
 unset HUNAV_ALL_TESTS  # under a sanitizer the long ones would take hours
-for command in check_python fuzz check_sources_and_memory play_monkey check_threads run_benchmarks; do
+for command in fuzz check_sources_and_memory play_monkey check_threads run_benchmarks; do
   stage "$command"
 done
 [ "${#failed[@]}" -eq 0 ] || fail "failed: ${failed[*]}"
