@@ -189,6 +189,45 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     QVERIFY(button("Report").isEnabled());
   }
 
+  /// The batch was started in another folder than this program, with relative paths.
+  void open_inputOfARelativePathChanged_isTold() {
+    const QString file = study_->writeStudy("near.yaml", "seeds: 1\nduration: 1.0\n");
+    const QString folder = QFileInfo(file).absolutePath();
+    QCOMPARE(
+        runProgram({text("batch"), QFileInfo(file).fileName(), text("-o"), text("near_results")},
+                   folder)
+            .exitCode,
+        0);
+    QVERIFY(panel().openFile(file));
+    QTRY_VERIFY2(panel().message().endsWith(text("1 of 1 finished")),
+                 qPrintable(panel().message()));
+    writeText(study_->path(text("yard.yaml")),
+              QByteArray(kYardText).replace("max_vel: 1.2", "max_vel: 1.1"));
+    QVERIFY(panel().openFile(file));
+    QTRY_VERIFY2(panel().message().endsWith(text("yard.yaml has changed since the study ran")),
+                 qPrintable(panel().message()));
+  }
+
+  void inputs_ofRelativePaths_areThoseOfTheStudysFolder() {
+    QTemporaryDir folder;
+    const QString root = folder.path();
+    QVERIFY(QDir(root).mkpath(text("work/studies")));
+    writeText(root + text("/work/map.pgm"), "new");
+    const std::vector<app::InputHash> inputs = {{"map.pgm", app::sha256Of("old")},
+                                                {"gone.yaml", app::sha256Of("old")}};
+    const auto changed = [&](const char* named, const char* file) {
+      return app::changedInputOf(named, inputs, root + text(file));
+    };
+    QCOMPARE(changed("studies/s.yaml", "/work/studies/s.yaml"), text("map.pgm"));
+    QCOMPARE(changed("./studies/s.yaml", "/work/studies/s.yaml"), text("map.pgm"));
+    QCOMPARE(changed("s.yaml", "/work/studies/s.yaml"), QString());     // another folder
+    QCOMPARE(changed("../s.yaml", "/work/studies/s.yaml"), QString());  // an unknown one
+    QCOMPARE(app::changedInputOf(
+                 "s.yaml", {{(root + text("/work/map.pgm")).toStdString(), app::sha256Of("old")}},
+                 root + text("/s.yaml")),
+             text("map.pgm"));
+  }
+
   void open_tableAlone_isShownAndNotReplaced() {
     const QString file = finished();
     QVERIFY(QFile::remove(study_->path(text("done_results/results.sqlite"))));

@@ -56,7 +56,16 @@ QString diagnosticText(const base::Diagnostic& diagnostic) {
 }  // namespace
 
 StudyPanel::StudyPanel(editor::PanelContext& context)
-    : context_(context), form_(new StudyForm(context)), process_(this) {
+    : context_(context),
+      form_(new StudyForm(context)),
+      process_(this),
+      hashing_([this](const QString& changed) {
+        changedInput_ = changed;
+        const bool isAsking = !restartButton_->isHidden() || !saveButton_->isHidden();
+        if (!changed.isEmpty() && !isAsking) {  // the check hides the answers
+          checkSoon();
+        }
+      }) {
   auto* rows = editor::configuredLayout(new QVBoxLayout(this), {}, 0,
                                         {makeHead(), editor::dividerLine(this)});
   auto* halves = new QSplitter(Qt::Horizontal, this);
@@ -125,6 +134,7 @@ void StudyPanel::showEvent(QShowEvent* event) {
 }
 
 StudyPanel::~StudyPanel() {
+  hashing_.abandon();
   helperProcess_.disconnect(this);
 }
 
@@ -321,7 +331,7 @@ void StudyPanel::showRestored() {
   if (file_.isEmpty()) {  // a new study
     displayedExperiment_.reset();
     folderProblem_.clear();
-    changedInput_.clear();
+    findChangedInput({});
     total_ = 0;
     before_ = 0;
     results_->begin({}, {});
@@ -336,9 +346,20 @@ void StudyPanel::showRestored() {
   total_ = earlier.runs;
   before_ = earlier.rows.size();
   folderProblem_ = earlier.trouble;
-  changedInput_ = earlier.changedInput;
+  findChangedInput(earlier);
   results_->begin(earlier.paths, of ? comparedPath(*of) : QString());
   results_->add(earlier.rows);
+}
+
+/// Large files would block the window.
+void StudyPanel::findChangedInput(const RestoredStudy& of) {
+  changedInput_.clear();
+  hashing_.forget();  // that of other results
+  if (!of.inputs.empty()) {
+    hashing_.start([named = of.experimentPath, inputs = of.inputs, file = file_] {
+      return changedInputOf(named, inputs, file);
+    });
+  }
 }
 
 /// Clears the results for a new study.
@@ -349,7 +370,7 @@ void StudyPanel::showResultsOf(const Experiment& experiment) {
   }
   displayedExperiment_ = experiment;
   folderProblem_.clear();
-  changedInput_.clear();
+  findChangedInput({});
   results_->begin(paths, comparedPath(experiment));
 }
 

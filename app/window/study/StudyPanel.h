@@ -5,6 +5,7 @@
 #include "app/window/study/OutputPage.h"
 #include "app/window/study/StudyProcess.h"
 #include "app/window/study/StudyResults.h"
+#include "editor/document/LatestTask.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
@@ -129,6 +130,7 @@ class StudyPanel : public QWidget {
   QStringList messagesFor(const base::Result<Experiment>& checked) const;
   base::Result<Experiment> experiment() const;
   void showRestored();
+  void findChangedInput(const RestoredStudy& of);
   void showResultsOf(const Experiment& experiment);
   bool openOutput(const std::string& file);
   void showOutputPage();
@@ -182,6 +184,7 @@ class StudyPanel : public QWidget {
   QTimer check_;
   editor::ElidedLabel* name_ = new editor::ElidedLabel(this);
   QString changedInput_;  // An input file that has changed since the displayed runs; empty: none.
+  editor::LatestTask<QString> hashing_;  // Finds it.
   QLabel* messageLabel_ = new QLabel(this);
   bool isMessageProblem_ = false;
   QProgressBar* progress_ = new QProgressBar(this);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <sys/types.h>
 #include <utility>
@@ -13,7 +14,6 @@
 #include "app/report/Study.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/DataPaths.h"
-#include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -167,14 +167,27 @@ RestoredStudy restoredFrom(const ResultStore& store) {
   const base::Diagnostics unread = store.forEach(
       [&](const StoredRun& stored) { earlier.rows.push_back(rowOf(stored, earlier.paths)); });
   earlier.trouble = unread.empty() ? QString() : textOf(unread);
-  const std::vector<InputHash>& inputs = store.study().inputs;  // the first is the experiment
-  for (std::size_t k = 1; k < inputs.size() && earlier.changedInput.isEmpty(); ++k) {
-    const std::optional<std::string> now = sha256OfFile(inputs[k].path);
-    if (now && !inputs[k].sha256.empty() && *now != inputs[k].sha256) {
-      earlier.changedInput = QFileInfo(QString::fromStdString(inputs[k].path)).fileName();
-    }
+  earlier.experimentPath = store.study().experimentPath;
+  earlier.inputs = store.study().inputs;
+  if (!earlier.inputs.empty()) {
+    earlier.inputs.erase(earlier.inputs.begin());  // the experiment
   }
   return earlier;
+}
+
+/// The folder of which `file` has this relative path; none: of no folder.
+std::optional<std::filesystem::path> baseOf(const std::filesystem::path& relative,
+                                            const std::filesystem::path& file) {
+  const std::filesystem::path wanted = relative.lexically_normal();
+  std::filesystem::path base = file.lexically_normal();
+  for (auto part = wanted.end(); part != wanted.begin();) {
+    --part;
+    if (base.filename() != *part || *part == "..") {
+      return std::nullopt;
+    }
+    base = base.parent_path();
+  }
+  return base;
 }
 
 StudyRow rowOf(const report::Results& results, std::size_t at, const QStringList& paths) {
@@ -227,6 +240,23 @@ RestoredStudy restoredStudyIn(const QString& folder) {
   RestoredStudy earlier = isIn(folder, "results.csv") ? restoredFromCsv(folder) : RestoredStudy();
   earlier.trouble = trouble.isEmpty() ? earlier.trouble : trouble;
   return earlier;
+}
+
+QString changedInputOf(const std::string& experimentPath, const std::vector<InputHash>& inputs,
+                       const QString& file) {
+  const std::optional<std::filesystem::path> base = baseOf(experimentPath, file.toStdString());
+  for (const InputHash& input : inputs) {
+    const std::filesystem::path path(input.path);
+    if (input.sha256.empty() || (path.is_relative() && !base)) {
+      continue;
+    }
+    const std::optional<std::string> now =
+        sha256OfFile(path.is_relative() ? (*base / path).string() : input.path);
+    if (now && *now != input.sha256) {
+      return QString::fromStdString(path.filename().string());
+    }
+  }
+  return {};
 }
 
 bool isBatchFolder(const QString& folder) {

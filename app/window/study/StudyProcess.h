@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "app/run/ManifestFiles.h"
 #include "app/window/study/StudyRows.h"
 
 namespace app {
@@ -47,12 +48,19 @@ struct RestoredStudy {
   std::size_t runs = 0;                   // number of runs, finished or not
   std::optional<std::string> experiment;  // experiment text, if the results contain it
   QString trouble;                        // why results could not be read
-  QString changedInput;                   // name of an input file that differs now; empty: none
+  std::string experimentPath;             // as the batch was given it
+  std::vector<InputHash> inputs;          // files that the runs have read
 };
 
 /// Reads the database, otherwise results.csv; neither is changed. Without a folder there are no
 /// rows.
 RestoredStudy restoredStudyIn(const QString& folder);
+
+/// The name of an input file whose content differs from that of the runs; empty: none. `file`: the
+/// experiment file; relative paths are those of the folder in which the batch was started, as far
+/// as it follows from the path of this file. Missing files are no difference. Reads all files.
+QString changedInputOf(const std::string& experimentPath, const std::vector<InputHash>& inputs,
+                       const QString& file);
 
 /// Whether a batch has written its results into the folder.
 bool isBatchFolder(const QString& folder);
