@@ -222,6 +222,8 @@ class RunsAndFuturesTest : public QObject {
     forkAt(3.0, nullptr);
     QCOMPARE(row(2).text(2), text("nothing, from ") + row(1).text(0));
     QVERIFY(row(0).checkState(0) == Qt::Checked && row(1).checkState(0) == Qt::Checked);
+    const QTreeWidget& list = runs().list();
+    QTRY_COMPARE(list.header()->length(), list.viewport()->width());  // no text is cut off
     QCOMPARE(runner().state(), SimulationRunner::State::Paused);
     const QTableWidget& table = runs().comparison().table();
     QTRY_VERIFY_WITH_TIMEOUT(table.rowCount() > 10 && table.columnCount() > 5, 30000);

@@ -11,7 +11,7 @@ namespace editor {
 namespace {
 
 constexpr int kNumberWidth = 58;
-constexpr int kPartWidth = 88;
+constexpr int kPartWidth = 76;
 constexpr int kNameWidth = 150;  // Least width of the metric names.
 
 QString valueText(const metrics::MetricInfo& info, const std::optional<double>& value) {
@@ -49,13 +49,14 @@ CompareTable::CompareTable(PanelContext& context)
       task_([this](Measured measured) { deliver(std::move(measured)); }) {
   styleTable(*table_, tr("Metrics of the runs"));
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // Needed for five runs.
+  table_->setWordWrap(false);  // A name that is cut in the middle keeps its unit.
   table_->viewport()->installEventFilter(this);
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(makeTable());
   both->addWidget(plot_);
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
-  both->setSizes({440, 220});
+  both->setSizes({480, 190});
   stack_->addWidget(nothing_);
   showWaiting(Waiting::ForRuns);
   stack_->addWidget(both);
@@ -261,8 +262,14 @@ void CompareTable::fitNames() {
   for (int column = 1; column < table_->columnCount(); ++column) {
     others += table_->columnWidth(column);
   }
-  if (table_->columnCount() > 0) {
-    table_->setColumnWidth(0, std::max(kNameWidth, table_->viewport()->width() - others));
+  if (table_->columnCount() == 0) {
+    return;
+  }
+  const bool hasRoom = table_->viewport()->width() - others >= kNameWidth;
+  table_->horizontalHeader()->setSectionResizeMode(
+      0, hasRoom ? QHeaderView::Stretch : QHeaderView::Interactive);
+  if (!hasRoom) {
+    table_->setColumnWidth(0, kNameWidth);
   }
 }
 

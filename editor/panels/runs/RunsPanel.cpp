@@ -100,7 +100,8 @@ void RunsPanel::makeList() {
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setUniformRowHeights(true);
   QHeaderView* header = list_->header();
-  header->setStretchLastSection(true);
+  header->setStretchLastSection(false);
+  header->setSectionResizeMode(ChangedColumn, QHeaderView::Stretch);
   header->resizeSection(LeftAtColumn, header->sectionSizeHint(LeftAtColumn) + kAfterHeading);
   list_->setMinimumWidth(240);
 }
@@ -264,12 +265,14 @@ void RunsPanel::showBranchColumns() {
   for (const int column : {int(LeftAtColumn), int(ChangedColumn)}) {
     list_->setColumnHidden(column, !isAny);
   }
+  list_->header()->setSectionResizeMode(RunNameColumn,
+                                        isAny ? QHeaderView::Interactive : QHeaderView::Stretch);
 }
 
 /// The names get the width that they need, at most that of "Changed".
 void RunsPanel::fitRunNames() {
-  list_->resizeColumnToContents(RunNameColumn);
   if (!list_->isColumnHidden(LeftAtColumn)) {
+    list_->resizeColumnToContents(RunNameColumn);
     const int room = list_->viewport()->width() - list_->columnWidth(LeftAtColumn);
     list_->setColumnWidth(RunNameColumn,
                           std::clamp(list_->columnWidth(RunNameColumn), kLeastRunName,
