@@ -186,7 +186,7 @@ class RecordedRunTest : public QObject {
     QVERIFY(QFile::remove(scenario) && QFile::remove(tree));
     auto window = quiet::shownWindow();
     QVERIFY(window->open(path));
-    const app::Workspace& workspace = window->workspace();
+    app::Workspace& workspace = window->workspace();
     std::map<int, editor::Look> looks;
     for (const editor::ShownBody& body : workspace.scene().frameLayer().shownBodies()) {
       looks[body.id] = body.look;

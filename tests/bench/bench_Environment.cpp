@@ -35,7 +35,7 @@ sim2d::Scenario crossing(int people) {
   sim2d::Robot robot;
   robot.key = {base::EntityKind::Robot, 1};
   robot.name = "robot";
-  robot.initPose = {{0.0, -kSize / 2.0}, 1.57};
+  robot.start = {{0.0, -kSize / 2.0}, 1.57};
   robot.goal.point = {0.0, kSize / 2.0};
   robot.planner = "teleop";
   scenario.robots = {robot};
@@ -44,7 +44,7 @@ sim2d::Scenario crossing(int people) {
 
 app::Bundle bundleOf(sim2d::Scenario scenario) {
   app::Bundle bundle;
-  bundle.scenario = std::move(scenario);
+  bundle.scenario = std::make_shared<sim2d::Scenario>(std::move(scenario));
   return bundle;
 }
 

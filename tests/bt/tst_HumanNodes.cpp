@@ -126,8 +126,9 @@ class HumanNodesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void manifests_ofNodesThatUseTheGoals_sayIt() {
+    const bt::NodeLibrary nodes = bt::humanNodes();
     QStringList ids;
-    for (const bt::NodeManifest& node : bt::humanNodes().catalogue().all()) {
+    for (const bt::NodeManifest& node : nodes.catalogue().all()) {
       if (node.usesGoals) {
         ids << QString::fromStdString(node.id);
       }
