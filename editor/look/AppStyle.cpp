@@ -329,6 +329,13 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
     case CE_TabBarTabShape:
       drawTab(*painter, *option);
       break;
+    case CE_TabBarTabLabel:
+      if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) {
+        QStyleOptionTab label = *tab;
+        label.state &= ~State_HasFocus;  // The tab has a ring.
+        QProxyStyle::drawControl(element, &label, painter, widget);
+      }
+      break;
     case CE_ComboBoxLabel:
       if (const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option)) {
         drawComboLabel(*painter, *combo, widget);

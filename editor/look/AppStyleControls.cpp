@@ -396,6 +396,7 @@ void AppStyle::drawTab(QPainter& painter, const QStyleOption& option) const {
   } else if (isHovered(option)) {
     painter.fillRect(option.rect.adjusted(0, 0, 0, -1), theme_.color(Role::RowHover));
   }
+  drawFocusRing(painter, option, QRectF(option.rect).adjusted(3.0, 3.0, -3.0, -4.0));
 }
 
 void AppStyle::drawRow(QPainter& painter, const QStyleOption& option, const QWidget* widget) const {

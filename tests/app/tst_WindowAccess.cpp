@@ -273,7 +273,7 @@ class WindowAccessTest : public QObject, protected quiet::InFolder {
     QFETCH(bool, isDark);
     const editor::Theme theme(isDark);
     editor::applyTheme(theme);
-    walkTabStops(*window_, theme, 10);
+    walkTabStops(*window_, theme, 5);
     QVERIFY(window_->open(quiet::demoPath()));
     document().setSelection({first(base::EntityKind::Human)});
     for (const QString& name : window_->docks().names()) {
