@@ -379,7 +379,10 @@ class BranchCommandTest : public QObject {
     QTest::mouseClick(remove, Qt::LeftButton);
     QVERIFY(says("No changes yet"));
     QTRY_COMPARE(dialog.height(), height);
-    widgets::named<QComboBox>(dialog, text("Planner of robot1"))->setCurrentText(text("pursuit"));
+    auto* planner = widgets::findIf<QComboBox>(
+        dialog, [](const QComboBox* box) { return box->findText(text("pursuit")) >= 0; });
+    QVERIFY(planner != nullptr);
+    planner->setCurrentText(text("pursuit"));
     QVERIFY(says("Changes: robot1.planner"));
   }
 };

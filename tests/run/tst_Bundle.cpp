@@ -224,7 +224,9 @@ class BundleTest : public QObject {
     row("Nav2 with a namespace", "/**/controller_server:\n  ros__parameters: {}\n", Kind::Nav2);
     row("other node", "# image: amcl:\nrobot:\n  ros__parameters: {}\n", Kind::Scenario);
     row("tree", "<root><!-- no FollowPath --><BehaviorTree/><!-- <Spin/> --></root>", Kind::Tree);
-    row("tree of a robot", "<root><!-- a --><FollowPath/></root>", Kind::NavigatorTree);
+    row("tree of a robot",
+        "<root><!-- a --><BehaviorTree ID=\"T\"><FollowPath/></BehaviorTree></root>",
+        Kind::NavigatorTree);
   }
   void kindOfFile_isThatOfItsKeys() {
     QFETCH(const QByteArray, text);
