@@ -9,6 +9,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/RunFolder.h"
+#include "app/run/SeedEffect.h"
 #include "app/run/TreeCoverage.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/SystemError.h"
@@ -381,6 +382,7 @@ base::Diagnostics BatchFolder::finish() {
   if (!base::hasErrors(problems)) {
     problems = output_->commit(*manifest, OutputFolder::EarlierFiles::Removed);
   }
+  constantCells_ = seedEffectOf(*store_).constantCells();
   base::append(problems, store_->close());
   base::append(problems, removalProblems);
   return problems;

@@ -44,6 +44,8 @@ class BatchFolder {
   /// Call once, at the end.
   base::Diagnostics finish();
   std::string manifest() const;  // its text, after finish()
+  /// The cells of SeedEffect that do not depend on the seed, after finish().
+  const std::vector<std::string>& constantCells() const { return constantCells_; }
 
  private:
   explicit BatchFolder(std::unique_ptr<OutputFolder> output) : output_(std::move(output)) {}
@@ -53,6 +55,7 @@ class BatchFolder {
 
   std::unique_ptr<OutputFolder> output_;
   std::unique_ptr<ResultStore> store_;  // declared after the folder: closed before its lock
+  std::vector<std::string> constantCells_;
 };
 
 /// The results in a batch folder that this process has locked.

@@ -57,7 +57,7 @@ std::vector<std::string> SeedEffect::constantCells() const {
 
 SeedEffect seedEffectOf(const ResultStore& store) {
   SeedEffect effect;
-  // An unreadable store was reported when it was written or opened.
+  // An unreadable store is reported by what writes the results.
   static_cast<void>(store.forEach([&](const StoredRun& run) {
     std::vector<double> values;
     values.reserve(run.row.fields.size());

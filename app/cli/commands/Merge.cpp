@@ -3,7 +3,6 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/BatchFolder.h"
-#include "app/run/SeedEffect.h"
 
 namespace app {
 
@@ -23,7 +22,7 @@ base::Diagnostics problemsOf(const BatchFolder& folder) {
     diagnostics.push_back(
         base::warning("batch.failed-by-machine", {store.failedByMachine()}, folder.resultsFile()));
   }
-  if (const auto constant = seedEffectOf(store).constantCells(); !constant.empty()) {
+  if (const std::vector<std::string>& constant = folder.constantCells(); !constant.empty()) {
     diagnostics.push_back(base::warning("batch.seeds-alike", {constant.size(), constant.front()},
                                         folder.resultsFile()));
   }
