@@ -11,7 +11,7 @@ namespace editor {
 namespace {
 
 constexpr int kNumberWidth = 58;
-constexpr int kPartWidth = 76;
+constexpr int kPartWidth = 88;
 constexpr int kNameWidth = 150;  // Least width of the metric names.
 
 QString valueText(const metrics::MetricInfo& info, const std::optional<double>& value) {

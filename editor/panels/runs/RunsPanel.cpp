@@ -17,7 +17,7 @@ enum RunColumn { RunNameColumn, LeftAtColumn, ChangedColumn, RunColumns };
 constexpr int kRowRole = Qt::UserRole;
 constexpr int kSwatch = 18;
 constexpr int kLeastRunName = 100;
-constexpr int kAfterHeading = 8;
+constexpr int kAfterHeading = 8;  // Also after the longest name [px].
 
 /// A line in the style of a run with its letter, as on the map and in the plots.
 QIcon styleIcon(int style, const Theme& theme) {
@@ -274,9 +274,9 @@ void RunsPanel::fitRunNames() {
   if (!list_->isColumnHidden(LeftAtColumn)) {
     list_->resizeColumnToContents(RunNameColumn);
     const int room = list_->viewport()->width() - list_->columnWidth(LeftAtColumn);
-    list_->setColumnWidth(RunNameColumn,
-                          std::clamp(list_->columnWidth(RunNameColumn), kLeastRunName,
-                                     std::max(kLeastRunName, room / 2)));
+    list_->setColumnWidth(
+        RunNameColumn, std::clamp(list_->columnWidth(RunNameColumn) + kAfterHeading, kLeastRunName,
+                                  std::max(kLeastRunName, room / 2)));
   }
 }
 
