@@ -128,8 +128,9 @@ constexpr Column kColumns[] = {
     {"extra_force", "Velocity changes caused by the robot", "m/s",
      "sum of |change of velocity with - without|", "[0, inf)", &PersonEffect::extraForce},
     {"slowed_time", "Time slowed down by the robot", "s",
-     "time in which the speed is lower by more than 0.1 m/s", "[0, inf)",
-     &PersonEffect::slowedTime},
+     "time in which the speed is lower by more than 0.1 m/s; a sample counts the time since the "
+     "sample before it",
+     "[0, inf)", &PersonEffect::slowedTime},
     {"heading_disturbance", "Heading changes caused by the robot", "rad",
      "mean over the samples of |wrap(heading with - without)|", "[0, inf)",
      &PersonEffect::disturbance}};

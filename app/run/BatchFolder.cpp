@@ -382,7 +382,9 @@ base::Diagnostics BatchFolder::finish() {
   if (!base::hasErrors(problems)) {
     problems = output_->commit(*manifest, OutputFolder::EarlierFiles::Removed);
   }
-  constantCells_ = seedEffectOf(*store_).constantCells();
+  if (store_->study().shard.count == 1) {  // the seeds of a part may be few
+    constantCells_ = seedEffectOf(*store_).constantCells();
+  }
   base::append(problems, store_->close());
   base::append(problems, removalProblems);
   return problems;

@@ -119,8 +119,8 @@ constexpr char kSurpriseMetrics[] = R"(
 33 surprise_shock_cost|Surprise: shock||[0, inf)|sum over i and each a who sees the robot of max((surprise_distance/D) * (1 - SR
   reaction_time/recognition_time), 0), SR = min((t_i - t_k)/reaction_time, 1), k = first of the samples of the interval since which a has been present and
   has seen it without interruption; D and surprise_requires_motion as in surprise_visibility_cost
-34 surprise_react_cost|Surprise: reaction||[0, inf)|sum over i and each a who sees the robot of (surprise_distance/D) * (1 - SR), SR (reaction_time)
-  as in surprise_shock_cost
+34 surprise_react_cost|Surprise: reaction||[0, inf)|sum over i and each a who sees the robot of (surprise_distance/D) * (1 - SR); D, SR and
+  surprise_requires_motion as in surprise_shock_cost
 )";
 
 }  // namespace
