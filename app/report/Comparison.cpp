@@ -296,7 +296,8 @@ app::SeedEffect seedEffectOf(const Study& study) {
     for (const Numbers& each : study.results.metrics) {
       values.push_back(each[run]);
     }
-    effect.add(study.options[study.optionOf[run]] + ", " + study.cases[study.caseOf[run]], values);
+    effect.add(study.options[study.optionOf[run]] + ", " + study.cases[study.caseOf[run]],
+               study.results.runs[run].seed, values);
   }
   return effect;
 }

@@ -382,9 +382,7 @@ base::Diagnostics BatchFolder::finish() {
   if (!base::hasErrors(problems)) {
     problems = output_->commit(*manifest, OutputFolder::EarlierFiles::Removed);
   }
-  if (store_->study().shard.count == 1) {  // the seeds of a part may be few
-    constantCells_ = seedEffectOf(*store_).constantCells();
-  }
+  constantCells_ = seedEffectOf(*store_).constantCells();
   base::append(problems, store_->close());
   base::append(problems, removalProblems);
   return problems;

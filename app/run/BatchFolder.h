@@ -44,7 +44,7 @@ class BatchFolder {
   /// Call once, at the end.
   base::Diagnostics finish();
   std::string manifest() const;  // its text, after finish()
-  /// The cells of SeedEffect that do not depend on the seed, after finish(); not of a shard.
+  /// The cells of SeedEffect that do not depend on the seed, after finish().
   const std::vector<std::string>& constantCells() const { return constantCells_; }
 
  private:

@@ -34,13 +34,16 @@ std::string cellName(const Study& study, const StoredRun& run) {
 
 }  // namespace
 
-void SeedEffect::add(const std::string& cell, const std::vector<double>& values) {
-  Cell& of = cells_[cell];
-  if (of.runs++ == 0) {
+void SeedEffect::add(const std::string& cell, long long seed, const std::vector<double>& values) {
+  const auto [found, isFirst] = cells_.try_emplace(cell);
+  Cell& of = found->second;
+  if (isFirst) {
     of.first = values;
+    of.firstSeed = seed;
     of.isConstant = std::any_of(values.begin(), values.end(), isDefined);
     return;
   }
+  of.hasSeveralSeeds = of.hasSeveralSeeds || seed != of.firstSeed;
   of.isConstant = of.isConstant && std::equal(values.begin(), values.end(), of.first.begin(),
                                               of.first.end(), areAlike);
 }
@@ -48,7 +51,7 @@ void SeedEffect::add(const std::string& cell, const std::vector<double>& values)
 std::vector<std::string> SeedEffect::constantCells() const {
   std::vector<std::string> constant;
   for (const auto& [cell, of] : cells_) {
-    if (of.runs > 1 && of.isConstant) {
+    if (of.hasSeveralSeeds && of.isConstant) {
       constant.push_back(cell);
     }
   }
@@ -64,7 +67,7 @@ SeedEffect seedEffectOf(const ResultStore& store) {
     for (const auto& field : run.row.fields) {
       values.push_back(numberOf(run.row, field.first).value_or(std::nan("")));
     }
-    effect.add(cellName(store.study(), run), values);
+    effect.add(cellName(store.study(), run), run.seed, values);
   }));
   return effect;
 }

@@ -12,12 +12,13 @@ class ResultStore;
 /// Finds cells (all that is not the seed is equal) whose runs are the same for all seeds. They are
 /// no sample: intervals and tests treat as independent what is one run.
 ///
-/// Criterion: the cell has several runs, and each differs from its first one by at most 0.1 % of
-/// the larger value in every number column (both undefined: equal); at least one column is defined.
+/// Criterion: the cell has runs with several seeds, and each run differs from its first one by at
+/// most 0.1 % of the larger value in every number column (both undefined: equal); at least one
+/// column is defined.
 class SeedEffect {
  public:
   /// Adds a run: its number columns in a fixed order, NaN: undefined; true is 1, false is 0.
-  void add(const std::string& cell, const std::vector<double>& values);
+  void add(const std::string& cell, long long seed, const std::vector<double>& values);
   std::size_t cellCount() const { return cells_.size(); }
   /// The cells without an effect of the seed, in alphabetical order.
   std::vector<std::string> constantCells() const;
@@ -25,7 +26,8 @@ class SeedEffect {
  private:
   struct Cell {
     std::vector<double> first;
-    std::size_t runs = 0;
+    long long firstSeed = 0;
+    bool hasSeveralSeeds = false;
     bool isConstant = true;
   };
   std::map<std::string, Cell> cells_;

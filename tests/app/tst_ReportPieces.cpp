@@ -325,6 +325,12 @@ class ReportPiecesTest : public QObject {
     study.results.metrics.push_back({4.0, 4.0, 5.0, 4.0, 4.0});  // every column must be constant
     study.results.metrics[0][2] = 1.0;
     QCOMPARE(constantCells(study), Names());
+    study.results.metrics.pop_back();
+    QCOMPARE(constantCells(study), Names({"a, hall"}));
+    for (Results::Run& run : study.results.runs) {
+      run.seed = 1;  // repeated points of a design
+    }
+    QCOMPARE(constantCells(study), Names());
   }
 
   /// 0.3 - 0.2 and 0.2 - 0.1 are not the same double, and the same difference.
