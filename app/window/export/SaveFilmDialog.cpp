@@ -57,6 +57,7 @@ void SaveFilmDialog::addTimeRows(QFormLayout& form) {
       addNumber(form, tr("Speed"), {0.05, 100.0, 2, 0.5}, QStringLiteral("×"), FilmTiming().speed);
   speed_->setToolTip(tr("Simulated seconds per second of the film"));
   length_ = editor::secondaryLabel({}, this);
+  length_->setWordWrap(true);  // It is longer in other languages.
   form.addRow(QString(), length_);
   at_ = new QSlider(Qt::Horizontal, this);
   at_->setRange(0, kSliderSteps);
