@@ -104,7 +104,10 @@ void RouteEditor::rebuild() {
   }
   parts_.push_back(linkButton(tr("+ Add"), tr("Add a goal to the end of the route"), this,
                               [this] { offerGoals(parts_.back()); }));
+  QWidget* before = previousInFocusChain();
   for (QWidget* part : parts_) {
+    setTabOrder(before, part);
+    before = part;
     part->show();
   }
   place(width(), true);

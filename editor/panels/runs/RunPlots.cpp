@@ -22,6 +22,8 @@ namespace editor {
 
 namespace {
 
+constexpr int kLeastPlotHeight = 60;
+
 constexpr double kAhead = 10.0;  // Initial time range without data [s].
 
 class UnitDraw : public QwtScaleDraw {
@@ -210,6 +212,7 @@ MetricPlot::MetricPlot(const Theme& theme, bool isSingle)
   auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 4}, 0);
   layout->addLayout(top);
   layout->addWidget(plot_, 1);
+  plot_->setMinimumHeight(kLeastPlotHeight);  // less than Qwt's, so that the lines above stay whole
   layOutPlot(*plot_);
   grid_->enableX(false);
   grid_->attach(plot_);
