@@ -173,7 +173,8 @@ class ContactsProgramTest : public QObject {
     writeTo(changed, "fast.yaml", QByteArray(kFastRobot).replace("3.0", "2.5").constData());
     const Finished refused = inFolder(changed, "contacts out");
     QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.err.contains(words("no longer the input of the run")), qPrintable(refused.err));
+    QVERIFY2(refused.err.contains(words("no longer the input of the run")),
+             qPrintable(refused.err));
   }
 
  private:
