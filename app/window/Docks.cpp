@@ -387,10 +387,6 @@ void Docks::setShown(bool shown) {
       dock->setVisible(was->second);
     }
   }
-  // Qt keeps the tab bars of hidden docks outside the window, where Tab would reach them.
-  for (QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
-    bar->setFocusPolicy(shown ? Qt::TabFocus : Qt::NoFocus);
-  }
   timelineBar_->setVisible(shown);
   const QString closed = tr("Open a scenario first");
   editor::setEnabled(*mapOnly_, shown, closed);

@@ -109,22 +109,33 @@ bool KeyRules::isInWindow(const QWidget& widget) const {
          (qobject_cast<const QDockWidget*>(top) != nullptr && top->parentWidget() == &window_);
 }
 
+/// Keeps the focus where the user can see it.
+void KeyRules::adaptFocus(QWidget& widget, QEvent::Type type) {
+  // A widget whose size hint was requested earlier was already polished.
+  const bool isNew = type == QEvent::Polish || type == QEvent::Show;
+  if (isNew && isButtonLike(widget) && widget.focusPolicy() != Qt::NoFocus) {
+    widget.setFocusPolicy(Qt::TabFocus);
+  }
+  const bool isOfPanels =
+      qobject_cast<QTabBar*>(&widget) != nullptr && widget.parentWidget() == &window_;
+  if (type == QEvent::Move && isOfPanels) {  // Qt moves those without tabs out of the window
+    const bool isShown = window_.rect().intersects(widget.geometry());
+    widget.setFocusPolicy(isShown ? Qt::TabFocus : Qt::NoFocus);
+  }
+  if (type == QEvent::Hide && qobject_cast<QDockWidget*>(&widget) != nullptr) {
+    editor::MapView& view = workspace_.view();
+    if (window_.isVisible() && view.isVisible() && widget.isAncestorOf(window_.focusWidget())) {
+      view.setFocus();  // otherwise Qt moves the focus to the next button
+    }
+  }
+}
+
 bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   auto* widget = qobject_cast<QWidget*>(watched);
   if (widget == nullptr || !isInWindow(*widget)) {
     return false;
   }
-  // A widget whose size hint was requested earlier was already polished.
-  const bool isNew = event->type() == QEvent::Polish || event->type() == QEvent::Show;
-  if (isNew && isButtonLike(*widget) && widget->focusPolicy() != Qt::NoFocus) {
-    widget->setFocusPolicy(Qt::TabFocus);
-  }
-  if (event->type() == QEvent::Hide && qobject_cast<QDockWidget*>(widget) != nullptr) {
-    editor::MapView& view = workspace_.view();
-    if (window_.isVisible() && view.isVisible() && widget->isAncestorOf(window_.focusWidget())) {
-      view.setFocus();  // otherwise Qt moves the focus to the next button
-    }
-  }
+  adaptFocus(*widget, event->type());
   if (event->type() == QEvent::FocusIn) {
     if (QLineEdit* line = lineOf(*widget)) {
       line->setModified(false);  // earlier input is undone by the window

@@ -26,6 +26,7 @@ class KeyRules : public QObject {
 
  private:
   bool isInWindow(const QWidget& widget) const;
+  void adaptFocus(QWidget& widget, QEvent::Type type);
   bool isWidgetKey(QWidget& focus, const QKeyEvent& event) const;
 
   QMainWindow& window_;

@@ -123,7 +123,6 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   paneTitle_->hide();
   canvas_->addWidget(pane);
   canvas_->setChildrenCollapsible(false);
-  canvas_->setFocusProxy(&workspace_.view());
   centre_->addWidget(canvas_);
   workspace_.view().setAcceptDrops(false);  // drops are handled by the window
   setAcceptDrops(true);
@@ -133,8 +132,10 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   notices_->coverTop(*middle);
   middle->setMinimumHeight(kLeastMiddle);
   docks_->setCentre(middle);
-  connect(notices_, &NoticeBar::focusReleased, this,
-          [this] { centre_->currentWidget()->setFocus(); });
+  // Not by a focus proxy of the splitter: Tab would return to the map before it reaches the panels.
+  connect(notices_, &NoticeBar::focusReleased, this, [this] {
+    (isOnStartPage() ? static_cast<QWidget*>(startPage_) : &workspace_.view())->setFocus();
+  });
   setCentralWidget(middle);
   connect(docks_->treeMaximized(), &QAction::toggled, this, [this, middle](bool on) {
     auto* tree = on ? findChild<editor::TreeEditor*>() : nullptr;  // keeps notices visible

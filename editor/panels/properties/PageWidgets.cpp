@@ -105,8 +105,11 @@ void RouteEditor::rebuild() {
   parts_.push_back(linkButton(tr("+ Add"), tr("Add a goal to the end of the route"), this,
                               [this] { offerGoals(parts_.back()); }));
   QWidget* before = previousInFocusChain();
+  while (before != this && (before->focusPolicy() & Qt::TabFocus) == 0) {
+    before = before->previousInFocusChain();
+  }
   for (QWidget* part : parts_) {
-    setTabOrder(before, part);
+    setTabOrder(before, part);  // no effect if there is none before
     before = part;
     part->show();
   }
