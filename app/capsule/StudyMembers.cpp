@@ -29,8 +29,8 @@ bool isInName(char c) {
 void replacePath(std::string& text, const std::string& path, const std::string& name) {
   for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
     const std::size_t end = at + path.size();
-    const bool isBegun = at > 0 && (isInName(text[at - 1]) || text[at - 1] == '/');
-    if (isBegun || (end < text.size() && isInName(text[end]))) {
+    const bool isAfterName = at > 0 && (isInName(text[at - 1]) || text[at - 1] == '/');
+    if (isAfterName || (end < text.size() && isInName(text[end]))) {
       at = end;
     } else {
       text.replace(at, path.size(), name);
@@ -70,7 +70,7 @@ bool mayNamePaths(const std::string& name) {
                       [&name](const char* ending) { return base::endsWith(name, ending); }));
 }
 
-/// Writes the members; those that list hashes of others last.
+/// Makes the members of a study. Manifests come last, because they list the hashes of other files.
 class StudyMembers {
  public:
   StudyMembers(const StudySource& source, const PathNames& names, std::string temporary)
@@ -105,8 +105,10 @@ class StudyMembers {
       return;
     }
     std::string changed = names_.replaced(*text);
-    for (const auto& [former, hash] : isManifest(name) ? hashes_ : Hashes()) {
-      replacePath(changed, former, hash);
+    if (isManifest(name)) {
+      for (const auto& [former, hash] : hashes_) {
+        replacePath(changed, former, hash);
+      }
     }
     const bool isEqual = changed == *text;
     if (!isEqual) {

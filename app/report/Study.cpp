@@ -371,26 +371,6 @@ std::string Study::replayCommand(std::size_t run) const {
   return shellText(words);
 }
 
-namespace {
-
-/// Finds inputs that were changed after the runs. Missing files are no problem: the folder may have
-/// been copied from another machine.
-base::Diagnostics findChangedInputs(Study& study) {
-  base::Diagnostics problems;
-  for (const app::InputHash& input : study.inputs) {
-    const bool isStandardInput = input.path == app::kStandardInput;
-    const std::optional<std::string> now =
-        isStandardInput ? std::nullopt : app::sha256OfFile(input.path);
-    if (now && !input.sha256.empty() && *now != input.sha256) {
-      study.changedInputs.push_back(input.path);
-      problems.push_back(base::warning("report.input-changed", {}, input.path));
-    }
-  }
-  return problems;
-}
-
-}  // namespace
-
 base::Result<Study> readStudy(const StudyOptions& studyOptions) {
   std::error_code ignored;  // inaccessible counts as missing
   if (fs::is_regular_file(studyOptions.folder, ignored)) {
@@ -427,7 +407,10 @@ base::Result<Study> readStudy(const StudyOptions& studyOptions) {
     return problems;
   }
   study.resultsHash = app::sha256Of(*text);
-  base::append(problems, findChangedInputs(study));
+  study.changedInputs = app::changedInputs(study.inputs);
+  for (const std::string& input : study.changedInputs) {
+    problems.push_back(base::warning("report.input-changed", {}, input));
+  }
   for (base::Diagnostic& problem : readExperimentOf(studyOptions.loader, study)) {
     problem.severity = base::Severity::Warning;
     problems.push_back(std::move(problem));

@@ -160,6 +160,21 @@ std::optional<std::string> findInput(const std::string& named, const std::string
   return std::nullopt;
 }
 
+std::vector<std::string> changedInputs(const std::vector<InputHash>& inputs,
+                                       const std::string& folder) {
+  std::vector<std::string> changed;
+  for (const InputHash& input : inputs) {
+    if (input.sha256.empty() || input.path == kStandardInput) {
+      continue;
+    }
+    const std::optional<std::string> now = sha256OfFile(pathIn(folder, input.path));
+    if (now && *now != input.sha256) {
+      changed.push_back(input.path);
+    }
+  }
+  return changed;
+}
+
 base::Diagnostics checkManifestFiles(const std::string& folder,
                                      const std::vector<std::string>& names) {
   const base::Result<Manifest> manifest = readManifest(folder);

@@ -89,6 +89,11 @@ struct InputHash {
   std::string path, sha256;  // empty hash: missing or unreadable
 };
 
+/// The paths, as given, of inputs whose files differ from what was hashed. Missing files and
+/// standard input count as unchanged. `folder`: of relative paths; empty: the working folder.
+std::vector<std::string> changedInputs(const std::vector<InputHash>& inputs,
+                                       const std::string& folder = {});
+
 /// Hashes of input files at first use, to detect later changes. One thread.
 class InputFingerprints {
  public:

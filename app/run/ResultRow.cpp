@@ -142,14 +142,15 @@ const std::string* fieldOf(const ResultRow& row, const std::string& column) {
   return field != nullptr ? &field->second : nullptr;
 }
 
+std::optional<double> numberIn(const std::string& field) {
+  return field == kTrue    ? std::optional(1.0)
+         : field == kFalse ? std::optional(0.0)
+                           : base::parseDouble(field);
+}
+
 std::optional<double> numberOf(const ResultRow& row, const std::string& column) {
   const std::string* const field = fieldOf(row, column);
-  if (field == nullptr || field->empty()) {
-    return std::nullopt;
-  }
-  return *field == kTrue    ? std::optional(1.0)
-         : *field == kFalse ? std::optional(0.0)
-                            : base::parseDouble(*field);
+  return field != nullptr ? numberIn(*field) : std::nullopt;
 }
 
 bool isSuccessKey(const std::string& key) {

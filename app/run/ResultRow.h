@@ -72,8 +72,9 @@ std::vector<std::string> knownColumns();
 /// The field of a column; null: the row has none.
 const std::string* fieldOf(const ResultRow& row, const std::string& column);
 
-/// The number in a field of a column, 1 for True and 0 for False; nullopt: missing, empty or other
-/// text.
+/// The number in a field, 1 for True and 0 for False; nullopt: empty or other text.
+std::optional<double> numberIn(const std::string& field);
+/// The number in the field of a column; nullopt also if the row has none.
 std::optional<double> numberOf(const ResultRow& row, const std::string& column);
 
 /// Metrics for success; the first one that exists applies.

@@ -14,7 +14,8 @@ bool areAlike(double first, double second) {
   if (std::isnan(first) || std::isnan(second)) {
     return std::isnan(first) && std::isnan(second);
   }
-  return std::abs(first - second) <= kShare * std::max(std::abs(first), std::abs(second));
+  return first == second ||  // also infinite values
+         std::abs(first - second) <= kShare * std::max(std::abs(first), std::abs(second));
 }
 
 bool isDefined(double value) {
@@ -64,8 +65,8 @@ SeedEffect seedEffectOf(const ResultStore& store) {
   static_cast<void>(store.forEach([&](const StoredRun& run) {
     std::vector<double> values;
     values.reserve(run.row.fields.size());
-    for (const auto& field : run.row.fields) {
-      values.push_back(numberOf(run.row, field.first).value_or(std::nan("")));
+    for (const auto& [column, field] : run.row.fields) {
+      values.push_back(numberIn(field).value_or(std::nan("")));
     }
     effect.add(cellName(store.study(), run), run.seed, values);
   }));

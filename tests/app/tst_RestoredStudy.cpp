@@ -211,21 +211,22 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
   void inputs_ofRelativePaths_areThoseOfTheStudysFolder() {
     QTemporaryDir folder;
     const QString root = folder.path();
-    QVERIFY(QDir(root).mkpath(text("work/studies")));
-    writeText(root + text("/work/map.pgm"), "new");
+    QVERIFY(QDir(root).mkpath(text("elsewhere/studies")));
+    writeText(root + text("/elsewhere/map.pgm"), "new");
     const std::vector<app::InputHash> inputs = {{"map.pgm", app::sha256Of("old")},
                                                 {"gone.yaml", app::sha256Of("old")}};
     const auto changed = [&](const char* named, const char* file) {
       return app::changedInputOf(named, inputs, root + text(file));
     };
-    QCOMPARE(changed("studies/s.yaml", "/work/studies/s.yaml"), text("map.pgm"));
-    QCOMPARE(changed("./studies/s.yaml", "/work/studies/s.yaml"), text("map.pgm"));
-    QCOMPARE(changed("s.yaml", "/work/studies/s.yaml"), QString());     // another folder
-    QCOMPARE(changed("../s.yaml", "/work/studies/s.yaml"), QString());  // an unknown one
-    QCOMPARE(app::changedInputOf(
-                 "s.yaml", {{(root + text("/work/map.pgm")).toStdString(), app::sha256Of("old")}},
-                 root + text("/s.yaml")),
-             text("map.pgm"));
+    QCOMPARE(changed("studies/s.yaml", "/elsewhere/studies/s.yaml"), text("map.pgm"));
+    QCOMPARE(changed("./studies/s.yaml", "/elsewhere/studies/s.yaml"), text("map.pgm"));
+    QCOMPARE(changed("s.yaml", "/elsewhere/studies/s.yaml"), QString());     // another folder
+    QCOMPARE(changed("../s.yaml", "/elsewhere/studies/s.yaml"), QString());  // an unknown one
+    QCOMPARE(
+        app::changedInputOf(
+            "s.yaml", {{(root + text("/elsewhere/map.pgm")).toStdString(), app::sha256Of("old")}},
+            root + text("/s.yaml")),
+        text("map.pgm"));
   }
 
   void open_tableAlone_isShownAndNotReplaced() {

@@ -27,8 +27,7 @@ class KeyMap : public QObject {
   const std::vector<Entry>& entries() const { return entries_; }
   /// The command that has these keys, other than `except`; null: none.
   const Entry* ownerOf(const QKeySequence& keys, const QAction* except = nullptr) const;
-  /// Why a command cannot have these keys; empty: it can. Keys of another
-  /// command are allowed.
+  /// Why a command cannot have these keys; empty: it can. Keys of another command are allowed.
   static QString reasonAgainst(const QKeySequence& keys);
   bool isChanged(const Entry& entry) const { return entry.action->shortcuts() != entry.usual; }
   bool isAnyChanged() const;

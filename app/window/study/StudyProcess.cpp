@@ -242,21 +242,20 @@ RestoredStudy restoredStudyIn(const QString& folder) {
   return earlier;
 }
 
-QString changedInputOf(const std::string& experimentPath, const std::vector<InputHash>& inputs,
+QString changedInputOf(const std::string& experimentPath, std::vector<InputHash> inputs,
                        const QString& file) {
   const std::optional<std::filesystem::path> base = baseOf(experimentPath, file.toStdString());
-  for (const InputHash& input : inputs) {
-    const std::filesystem::path path(input.path);
-    if (input.sha256.empty() || (path.is_relative() && !base)) {
-      continue;
-    }
-    const std::optional<std::string> now =
-        sha256OfFile(path.is_relative() ? (*base / path).string() : input.path);
-    if (now && *now != input.sha256) {
-      return QString::fromStdString(path.filename().string());
-    }
+  if (!base) {
+    inputs.erase(std::remove_if(inputs.begin(), inputs.end(),
+                                [](const InputHash& input) {
+                                  return std::filesystem::path(input.path).is_relative();
+                                }),
+                 inputs.end());
   }
-  return {};
+  const std::vector<std::string> changed =
+      changedInputs(inputs, base ? base->string() : std::string());
+  return changed.empty() ? QString()
+                         : QFileInfo(QString::fromStdString(changed.front())).fileName();
 }
 
 bool isBatchFolder(const QString& folder) {

@@ -59,7 +59,7 @@ RestoredStudy restoredStudyIn(const QString& folder);
 /// The name of an input file whose content differs from that of the runs; empty: none. `file`: the
 /// experiment file; relative paths are those of the folder in which the batch was started, as far
 /// as it follows from the path of this file. Missing files are no difference. Reads all files.
-QString changedInputOf(const std::string& experimentPath, const std::vector<InputHash>& inputs,
+QString changedInputOf(const std::string& experimentPath, std::vector<InputHash> inputs,
                        const QString& file);
 
 /// Whether a batch has written its results into the folder.
