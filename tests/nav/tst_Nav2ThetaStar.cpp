@@ -77,10 +77,10 @@ class Nav2ThetaStarTest : public QObject {
     QTest::addColumn<Distro>("distro");
     QTest::addColumn<int>("maps");
     QTest::addColumn<int>("side");
-    QTest::newRow("humble") << Distro::Humble << 200 << 40;
+    QTest::newRow("humble") << Distro::Humble << 1000 << 60;
     QTest::newRow("jazzy") << Distro::Jazzy << 1000 << 60;
-    QTest::newRow("kilted") << Distro::Kilted << 200 << 40;
-    QTest::newRow("lyrical") << Distro::Lyrical << 200 << 40;
+    QTest::newRow("kilted") << Distro::Kilted << 1000 << 60;
+    QTest::newRow("lyrical") << Distro::Lyrical << 1000 << 60;
     QTest::newRow("main") << Distro::Main << 1000 << 60;
     if (qEnvironmentVariableIsSet("HUNAV_ALL_TESTS")) {
       QTest::newRow("jazzy, large") << Distro::Jazzy << 1000 << 200;

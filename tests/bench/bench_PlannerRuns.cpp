@@ -1,0 +1,56 @@
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/run/ExperimentRunner.h"
+#include "sim2d/base/Text.h"
+#include "tests/bench/FastestOf.h"
+
+/// Whole runs of `crossing_agents` with the controllers of Nav2 beside `pursuit`: simulated time
+/// per wall time, on one thread. Goals on an idle core: MPPI 60, DWB 150, RPP 300.
+class PlannerRunsBench : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void run_inTheCrossing_data();
+  void run_inTheCrossing();
+};
+
+void PlannerRunsBench::run_inTheCrossing_data() {
+  QTest::addColumn<QString>("values");
+  QTest::newRow("pursuit") << QStringLiteral("[pursuit]");
+  for (const char* controller : {"mppi", "dwb", "rpp"}) {
+    QTest::newRow(controller) << QStringLiteral("[nav2]\n  robot1.nav2_params: [" SOURCE_DIR
+                                                "/maps/planners/nav2_%1.yaml]")
+                                     .arg(QLatin1String(controller));
+  }
+}
+
+void PlannerRunsBench::run_inTheCrossing() {
+  QFETCH(const QString, values);
+  constexpr std::size_t kSeeds = 10;
+  QTemporaryDir folder;
+  const std::string file = folder.filePath(QStringLiteral("e.yaml")).toStdString();
+  const std::string text = "hunavsim_experiment: 1\nscenarios: [" SOURCE_DIR
+                           "/maps/planners/crossing_agents.yaml]\nseeds: " +
+                           std::to_string(kSeeds) +
+                           "\nvalues:\n  robot1.planner: " + values.toStdString() + "\n";
+  QVERIFY(base::writeFileAtomically(file, text).empty());
+  const auto experiment = app::readExperiment(file);
+  QVERIFY(experiment);
+  app::ExperimentRunner runner(*experiment, folder.path().toStdString() + "/runs", {});
+  QVERIFY(!base::hasErrors(runner.check()));
+  QVERIFY(runner.run(0)->ok);  // reads what all have in common
+  double simulated = 0.0;      // of all runs [s]
+  double taken = 0.0;          // the sum of the fastest rounds [ms]
+  for (std::size_t run = 0; run < kSeeds; ++run) {
+    std::string duration;
+    taken += fastestOf(3, [&] { duration = runner.run(run)->simulated; });
+    simulated += base::parseDouble(duration).value_or(0.0);
+  }
+  QVERIFY(simulated > 10.0 * kSeeds);
+  qInfo("%.0f times real time (%.0f s)", 1e3 * simulated / taken, simulated);
+  QTest::setBenchmarkResult(taken / simulated, QTest::WalltimeMilliseconds);
+}
+
+QTEST_APPLESS_MAIN(PlannerRunsBench)
+#include "bench_PlannerRuns.moc"
