@@ -166,7 +166,7 @@ constexpr char kComplexityMetrics[] = R"(
 topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(b_i - b_(i-1))| / 2 pi, b = bearing of a from the robot = angle of
   C, over the i at which a is present, was present at i-1 and has not jumped; for a person who returns the sum continues
 = Navigation Performance|lower|robot|Arena; MRPB
-replanning_count|Replans of the robot||0, 1, ...|number of events replan with the robot's id in its evaluation interval
+replanning_count|Replans of the robot||0, 1, ...|number of events replan with the robot's id and t_0 <= time <= t_(N-1)
 = Navigation Performance|lower|nothing|Francis et al. 2025
 aggregated_time|Aggregated time to the goals|s|[0, inf)|sum over the people with goals (goals not empty and cyclic_goals false in trace.json) that were present,
   all people with an event arrived within the used samples, and the robot if it has a goal, of the time of the first such event (robot: its arrival, 0 if that

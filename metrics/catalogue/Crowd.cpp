@@ -226,10 +226,10 @@ crowd_specific_flow|Specific flow of the crowd|1/(m s)|[0, inf)|mean over crowd 
 = Social Behavior|neutral|people|Vicsek et al. 1995
 crowd_polarisation|Crowd polarisation||[0, 1]|mean over crowd samples at which people walk (|u| > 0.05 m/s) of |mean of u/|u|| of those who walk
 = Social Behavior|neutral|people|Rex and Loewen 2007
-crowd_lane_order|Crowd lane order||[0, 1]|mean over crowd samples at which people walk and that have a main axis of the mean over those who walk of ((same -
-  opposite)/(same + opposite))^2, over those who walk with |n q_b - n q_a| <= lane_width, a included; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2 -
-  u_y^2))/2 over all people at that crowd sample, none if both sums are at most 1e-9 sum |u|^2 in magnitude, n = m turned left; opposite: the sign of
-  m u > 0 differs
+crowd_lane_order|Crowd lane order||[0, 1]|mean over crowd samples at which people walk and that have a main axis of the mean over those who walk, a,
+  of ((same - opposite)/(same + opposite))^2: of the people b who walk with |n q_b - n q_a| <= lane_width, a included, "same" have m u_b > 0 if and
+  only if m u_a > 0, the others are "opposite"; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2 - u_y^2))/2 over all people at that
+  crowd sample, none if both sums are at most 1e-9 sum |u|^2 in magnitude, n = m turned left
 )";
 
 }  // namespace

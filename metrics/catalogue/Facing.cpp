@@ -62,9 +62,10 @@ time_facing_people|Time facing people|s|[0, T]|time with |wrap(angle of C - psi)
 time_seen_by_people|Time seen by people|s|[0, T]|time with the angle between a person's heading and p - q (0 if d = 0) <= facing_half_angle for some person;
   walls hide no person
 = Social Behavior|lower|robot, people|Arena, wider cone|0.05
-time_facing_people_60|Time facing people, 60 degrees|s|[0, T]|as time_facing_people with 60 degrees (pi/3)
+time_facing_people_60|Time facing people, 60 degrees|s|[0, T]|as time_facing_people, with pi/3 (60 degrees to each side) instead of facing_half_angle
 = Social Behavior|neutral|robot, people|Arena, wider cone|0.05
-time_seen_by_people_60|Time seen by people, 60 degrees|s|[0, T]|as time_seen_by_people with 60 degrees (pi/3)
+time_seen_by_people_60|Time seen by people, 60 degrees|s|[0, T]|as time_seen_by_people, with pi/3 (60 degrees to each side) instead of
+  facing_half_angle
 )";
 
 }  // namespace

@@ -32,10 +32,9 @@ bool turnsInPlace(const Instant& at) {
 
 constexpr char kManoeuvresMetrics[] = R"(
 = Motion Analysis|lower|robot|SRPB
-oscillations|Time hardly moving|%|[0, 100]|share of time with |vx|, |vy|, s < oscillation_speed and |w| < oscillation_angular_speed; (vx, vy) = v in the frame
-  of the robot, ahead and left
-backward_movements|Time driving backwards|%|[0, 100]|share of time with vx < -backward_speed, vx as in oscillations
-inplace_rotations|Time rotating in place|%|[0, 100]|share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed, vx, vy as in oscillations
+oscillations|Time hardly moving|%|[0, 100]|share of time with s < oscillation_speed and |w| < oscillation_angular_speed
+backward_movements|Time driving backwards|%|[0, 100]|share of time with v_x < -backward_speed
+inplace_rotations|Time rotating in place|%|[0, 100]|share of time with |v_x|, |v_y| < inplace_speed and |w| >= inplace_angular_speed
 )";
 
 }  // namespace

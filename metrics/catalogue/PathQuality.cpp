@@ -160,14 +160,17 @@ stl|Success weighted by time||[0, 1]|completed ? T*/max(T*, time_to_reach_goal) 
 = Navigation Performance|higher|robot|SEAN 2.0; Arena
 path_efficiency|Path efficiency||[0, 1]|S/max(S, L), S = length of the shortest path from p_0 to p_(N-1), L = path_length; undefined if L = 0
 = Navigation Performance|lower|robot|Guzzi et al. 2013; SocNavBench; SEAN 2.0
-path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest path from p_0 to p_(N-1), from psi_0 on to its
-  first leg and from leg to leg, without legs below 1e-9 m)/L; undefined if L = path_length = 0
+path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest path from p_0 to p_(N-1), without legs
+  below 1e-9 m)/L; turning: sum of the absolute changes of direction, from psi_0 to the first leg and from leg to leg, without the turn from the last
+  leg to psi_(N-1); undefined if L = path_length = 0
 = Motion Analysis|lower|robot|Arena; bench-mr
 angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / path_length; undefined if the latter is 0
-curvature_avg|Mean curvature|1/m|[0, inf)|mean over i of 4A/(d01 d12 d20), A = area of the triangle p_(i-1), p_i, p_(i+1) with these sides, where dt_i > 0, d01
-  >= stop_linear_speed dt_(i-1) and d12 >= stop_linear_speed dt_i; 0 where a side is 0, and if there is no such i; undefined if N < 3
-curvature_max|Largest curvature|1/m|[0, inf)|max over the same i of the same, 0 if there is no such i; undefined if N < 3
-roughness_avg|Mean roughness||[0, 0.87]|mean over the same i of 2A/max(d01, d12, d20)^2; 0 where all sides are 0, and if there is no such i; undefined if N < 3
+curvature_avg|Mean curvature|1/m|[0, inf)|mean over the i with 0 < i < N-1, dt_i > 0, d01 >= stop_linear_speed dt_(i-1) and d12 >= stop_linear_speed
+  dt_i of 4A/(d01 d12 d20), A = area of the triangle p_(i-1), p_i, p_(i+1) with these sides; 0 where a side is 0, and if there is no such i; undefined
+  if N < 3
+curvature_max|Largest curvature|1/m|[0, inf)|max over the i of curvature_avg of the same, 0 if there is no such i; undefined if N < 3
+roughness_avg|Mean roughness||[0, 0.87]|mean over the i of curvature_avg of 2A/max(d01, d12, d20)^2, A and sides as there; 0 where all sides are 0,
+  and if there is no such i; undefined if N < 3
 )";
 
 }  // namespace

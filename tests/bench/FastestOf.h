@@ -1,8 +1,16 @@
 #pragma once
 
 #include <algorithm>
+#include <ctime>
 
 #include <QElapsedTimer>
+
+/// Processor time of this process [ms].
+inline double processorMs() {
+  timespec now = {};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
 
 /// The time of the fastest of some rounds [ms]: what else the machine does only adds to it.
 template <typename Work>

@@ -1,10 +1,9 @@
-#include <ctime>
-
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include "app/run/ExperimentRunner.h"
 #include "sim2d/base/Text.h"
+#include "tests/bench/FastestOf.h"
 
 /// What a further run of a batch takes in a worker, in processor time: 60 s of the café with 8
 /// people and a robot by `pursuit`, all metrics, no files. Limit: 40 ms. A process of its own for
@@ -15,16 +14,6 @@ class BatchBench : public QObject {
   void episode_data();
   void episode();
 };
-
-namespace {
-
-double processorMs() {
-  timespec now = {};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
 
 void BatchBench::episode_data() {
   QTest::addColumn<QString>("values");
