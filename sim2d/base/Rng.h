@@ -46,7 +46,7 @@ class AgentRng {
                  std::uint32_t index = 0) const;  // [low, high)
   double normal(double mean, double deviation, DrawPurpose purpose, std::uint32_t index = 0) const;
   /// Two independent standard normal draws at little more than the cost of one. The first equals
-  /// `normal` with the same arguments.
+  /// `normal(0.0, 1.0, purpose, index)`.
   std::array<double, 2> normalPair(DrawPurpose purpose, std::uint32_t index = 0) const;
 
  private:

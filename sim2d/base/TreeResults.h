@@ -9,8 +9,8 @@
 
 namespace base {
 
-/// A set of node statuses. An enumeration, because stores of bytes could change any object for the
-/// compiler, which makes ticks slower.
+/// A set of node statuses. An enumeration instead of an unsigned char: compilers assume that
+/// writing through a character type may change any object, which makes ticks slower.
 enum class StatusSet : std::uint8_t {};
 
 inline StatusSet with(StatusSet set, NodeStatus status) {
@@ -31,8 +31,8 @@ struct TreeResults {
   std::shared_ptr<const std::vector<bool>> unreachable;
 };
 
-/// Adds the statuses to the entry of the same owner and tree, or a new entry. Trees with equal
-/// paths and different marks of unreachable nodes have none together.
+/// Adds the statuses to the entry of the same owner and tree, or a new entry. If trees have equal
+/// paths and different marks of unreachable nodes, their entry has no marks.
 void addTreeResults(const TreeResults& more, std::vector<TreeResults>& to);
 
 }  // namespace base

@@ -27,7 +27,7 @@ class OpenBlocks {
 
   std::shared_ptr<const DistanceField> field_;
   int width_ = 0, height_ = 0;  // [blocks]
-  double perCell_ = 1.0;        // [blocks]
+  double perCell_ = 1.0;        // [blocks/cell]
   std::vector<int> below_;  // summed-area table of blocks with walls, (width + 1) x (height + 1)
 };
 

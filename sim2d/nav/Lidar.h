@@ -203,7 +203,7 @@ class Lidar {
 
   LidarParameters parameters_;
   std::uint64_t seed_;
-  std::int64_t number_ = -1;  // of the last turn
+  std::int64_t number_ = -1;  // of the last scan
   LegGait gait_;
   std::shared_ptr<LidarScanner> caster_;
   LidarSnapshot turn_;  // reused buffer

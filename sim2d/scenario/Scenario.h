@@ -12,8 +12,8 @@
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
 /// The scenario as written in a file: plain values, compared by content (without EntityIds, which
-/// identify objects within one document). Absent keys are nullopt and are not written; Defaults.h
-/// has the effective values. World frame, SI units, radians.
+/// identify objects within one document). Absent keys are nullopt and are not written;
+/// ResolvedValues.h has the effective values. World frame, SI units, radians.
 namespace sim2d {
 
 using base::EntityId;
@@ -243,7 +243,7 @@ struct SpreadSettings {
 /// Key `variation` of the block: agents are drawn for each seed.
 struct VariationSettings {
   std::optional<VariationPreset> preset;
-  std::array<SpreadSettings, kVariedCount> spreads;  // index: Varied
+  std::array<SpreadSettings, kVariedCount> spreads;  // index: VariationQuantity
   UnknownKeys unknown;
 
   SpreadSettings& of(VariationQuantity quantity) {

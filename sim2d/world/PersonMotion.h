@@ -28,7 +28,8 @@ class PersonMotion {
   void chooseDirections(const FrozenWorld& world, const Intents& intents, WorldState& state);
   /// Wakes worker threads ahead of `compute`.
   void wakeWorkers();
-  /// Then: fills `wanted` and the forces of all people, and rotates people who turn in place.
+  /// Call after `chooseDirections`: fills `wanted` and the forces of all people, and rotates people
+  /// who turn in place.
   void compute(const FrozenWorld& world, const Intents& intents, WorldState& state,
                ForceColumns& forces);
   const std::vector<Vec2>& wanted() const { return wanted_; }  // desired velocities [m/s]

@@ -64,7 +64,7 @@ class Population {
  private:
   struct Source {
     std::size_t area = 0;         // in WorldModel::areas
-    const Human* like = nullptr;  // in WorldModel::patterns
+    const Human* like = nullptr;  // in WorldModel::sourceTemplates
     std::shared_ptr<GoalPlan> plan;
     int arrived = 0;    // number of copies so far
     double next = 0.0;  // time of the next arrival [s]

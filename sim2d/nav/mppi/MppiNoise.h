@@ -33,7 +33,7 @@ inline Lanes fromOneToTwo(LaneWords bits) {
   return xsimd::bitwise_cast<Lanes>((bits >> 9) | LaneWords(0x3F800000U));
 }
 
-/// ln u for normal u in (0, 1]; error 1e-7 of the result.
+/// ln u for u in (0, 1], not subnormal; relative error 1e-7.
 inline Lanes logOf(Lanes u) {
   const LaneInts bits = xsimd::bitwise_cast<LaneInts>(u);
   const Lanes mantissa =

@@ -9,7 +9,7 @@
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/PolicyObservation.h"
 
-/// What an ONNX file with a learned policy says about itself, read without OpenCV.
+/// Metadata of an ONNX file with a learned policy, read without OpenCV.
 namespace sim2d {
 
 /// Metadata of the key `hunavsim_policy` in ModelProto.metadata_props: a JSON object of the options

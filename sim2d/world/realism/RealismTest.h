@@ -48,9 +48,8 @@ class TestScene {
 
   void add(Actor actor);
   void addWall(const std::vector<Vec2>& line);  // 0.2 m thick
-  void usePlannedRoutes() {
-    scenario_.desktop.route = Route::Planned;
-  }  // instead of straight paths
+  /// Instead of straight paths.
+  void usePlannedRoutes() { scenario_.desktop.route = Route::Planned; }
   /// Makes a closed corridor from x = 0 to kRingLength, with walls at y = 0 and y = `width`.
   void addRing(double width);
   const std::vector<Actor>& actors() const { return actors_; }
