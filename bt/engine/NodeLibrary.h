@@ -23,7 +23,7 @@ class Ticker;
 struct TickInput {
   std::int64_t step = 0;  // from 1
   double dt = 0.0;        // [s] > 0
-  void* host = nullptr;   // passed to the leaves, which know its type
+  void* host = nullptr;   // passed to the leaves, which cast it to its type
 };
 
 /// Time limits are reached this much earlier, which compensates rounding errors in sums of dt.

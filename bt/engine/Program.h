@@ -60,7 +60,7 @@ class Program {
   ~Program() = default;
 
   struct alignas(64) Node : NodeHead {    // one cache line
-    bool isInstant = false;               // always done within the tick, see Instants.cpp
+    bool isInstant = false;               // always done within the tick (Compiler::close)
     bool hasOnlyInstantChildren = false;  // all children are instant and keep no status
     bool hasOneChild = false;             // a decorator or SubTree
     bool isStateful = false;              // a library leaf that may return RUNNING

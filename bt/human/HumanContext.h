@@ -71,7 +71,7 @@ enum class MotionOwner : unsigned char { None, Own, Group };
 /// Goals and group of a person before a node changed them.
 struct SavedAgent {
   int human = -1;
-  int visit = 0;  // number of that person's visit, see Mind
+  int visit = 0;  // AgentState::visit of that person at that time
   std::vector<sim2d::GoalItem> goals;
   int group = -1;
 };

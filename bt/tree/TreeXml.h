@@ -19,7 +19,7 @@ base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fil
 base::Result<TreeFile> readTree(const std::string& path);
 
 /// Resolves the includes of a file. The file's own trees override included ones, a later include
-/// overrides an earlier one. `packageFolder` returns the folder of a ROS package (empty: unknown).
+/// overrides an earlier one. `packages` returns the folder of a ROS package (empty: unknown).
 using PackageFolder = std::function<std::string(const std::string& package)>;
 base::Result<TreeTable> resolveIncludes(const TreeFile& file, const PackageFolder& packages = {});
 base::Result<TreeTable> loadTrees(const std::string& path, const PackageFolder& packages = {});
