@@ -76,7 +76,7 @@ class AccumulatorSet {
     double begin = 0.0;         // [s]
     Vec2 start = Vec2::Zero();  // position of the robot
     TermCache terms;
-    std::map<std::string, std::shared_ptr<Accumulator>> sums;  // by Stream::shared
+    std::map<std::string, std::shared_ptr<Accumulator>> sums;  // by MetricComputation::shared
   };
   void addItem(MetricEntry entry, PeopleFilter among);
   void extend(SampleRange& stretch, const std::shared_ptr<Sample>& sample);

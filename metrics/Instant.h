@@ -82,7 +82,7 @@ class TermCache {
 struct Instant {
   const RunContext& context;
   const MetricParameters& parameters;
-  const Sample& now;                // with a robot, Person::pair is computed
+  const Sample& now;                // with a robot, Pedestrian::pair is computed
   const Sample* before;             // null at the first sample
   const Sample* earlier;            // previous but one, null at the first two
   std::size_t index = 0;            // of now, from 0

@@ -79,7 +79,7 @@ std::vector<sim2d::Segment> wallsAround(const sim2d::TraceHeader& header,
 class VisibilityProfile {
  public:
   struct Turn {
-    double rank = 0.0;  // `pseudoAngle` the direction; -2 for the direction -pi
+    double rank = 0.0;  // `pseudoAngle` of the direction; -2 for the direction -pi
     base::Vec2 towards{1.0, 0.0};
   };
   /// An interval of directions in which one wall is nearest.

@@ -71,8 +71,8 @@ double detectableRateDifference(double discordant, double pairs, const Power& po
 /// The smallest shift that the signed-rank test finds with the power, if differences are normal
 /// with this standard deviation: (z + z') σ √(π / (3 n)). That is the shift of the t test divided
 /// by the root of the relative efficiency 3 / π (Lehmann 1975, Nonparametrics, 4.3). Too few pairs
-/// for the exact test to reach the level, or a deviation of 0, which says nothing about the spread:
-/// NaN.
+/// for the exact test to reach the level, or a deviation of 0, from which the spread cannot be
+/// estimated: NaN.
 double detectableShift(double deviation, double pairs, const Power& power = {});
 
 /// Estimate of p': share of pairs of differences with a positive sum, ties count half. n < 2: NaN.
