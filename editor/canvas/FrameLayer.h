@@ -42,8 +42,8 @@ class FrameLayer : public FullLayer {
     hearings_.clear();
   }
   const sim2d::Frame* frame() const { return frame_.get(); }
-  /// Leaves out what robots perceive and plan. Only the newest state of a run has it, so that views
-  /// of several runs beside each other would differ by it.
+  /// Leaves out what robots perceive and plan. Only the newest state of a run contains these data,
+  /// so views of several runs beside each other would otherwise differ.
   void setSensesHidden(bool hidden);
   bool areSensesHidden() const { return areSensesHidden_; }
   /// Adds speech events. They are shown for some seconds from `time` on, also when looking back.

@@ -10,15 +10,17 @@ namespace editor {
 
 class MapView;
 
-/// The legend over a corner of a view. The view keeps its size and zoom, and gets the mouse.
+/// The legend over a corner of a view. The view keeps its size and zoom, and receives the mouse
+/// events.
 class LegendStrip : public QWidget {
   Q_OBJECT
  public:
   static constexpr int kCorners = 3;  // 0: top right, 1: top left, 2: bottom right.
   explicit LegendStrip(MapView& view);
-  /// The contents; of a brief legend only the rows that have a sign, a name and a value.
+  /// Sets the contents. A brief legend shows only the rows that have a sign, a name and a value.
   void setParts(std::vector<LegendPart> parts);
-  /// Only the signs and values of the rows, without their names. Applies to the next contents.
+  /// Shows only the signs and values of the rows, without their names. Applies to the next
+  /// contents.
   void setBrief(bool brief) { isBrief_ = brief; }
   bool isEmpty() const { return parts_.empty(); }
   void setCorner(int corner) { corner_ = corner; }

@@ -43,8 +43,8 @@ class MapView : public QGraphicsView {
   explicit MapView(MapScene& scene, QWidget* parent = nullptr);
 
   void fitAll(bool animated = true);
-  /// The height at the top that other widgets cover [px]: the next fit leaves it out, the view does
-  /// not move now.
+  /// Sets the height at the top that other widgets cover [px]. The next fit leaves it out; the view
+  /// does not move immediately.
   void setCoveredTop(int height) {
     coveredTop_ = height;
     placeLegend();

@@ -9,10 +9,10 @@ namespace editor {
 
 /// A spin box with the unit inside the field. Typed text is validated immediately: a number outside
 /// the range has a red edge and is never accepted. A comma is accepted as decimal point. A number
-/// from a file keeps all its digits, of which up to six decimals are shown. If they do not fit,
-/// the unit and decimals are left out rather than cut off, and the tooltip has the whole number. A
+/// from a file keeps all its digits, of which up to six decimals are shown. If they do not fit, the
+/// unit and decimals are left out rather than cut off, and the tooltip has the whole number. A
 /// value that the scenario leaves out is shown in the secondary colour. A dash stands for several
-/// values. A tip says why a number was not accepted.
+/// values. A tip shows why a number was not accepted.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
  public:
@@ -72,7 +72,7 @@ class NumberField : public QDoubleSpinBox {
   QString typed_;  // Typed since the last commit, if invalid.
   bool default_ = false;
   bool showing_ = false;
-  int mostDecimals_;          // Of which there is room.
+  int mostDecimals_;          // Number of decimals that fit.
   bool isShortened_ = false;  // The text has less than the whole number.
   QTimer fit_;                // Fits the text once after several changes.
 };
@@ -127,7 +127,7 @@ class TextField : public QLineEdit {
   QString hint_, shown_;
 };
 
-/// Says below a field, or its place in a list, why its text was discarded.
+/// Shows below a field, or its place in a list, why its text was discarded.
 void explainRefusal(QWidget& at, const QRect& place, const QString& wrong);
 
 /// Commits the text being typed in a field of the window, as losing the focus does. The field keeps

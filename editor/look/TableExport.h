@@ -21,7 +21,7 @@ QString tableText(const QAbstractItemView& view, const QString& name, TableForma
 /// Adds "Copy table" and "Save table…" to a menu. Copying puts CSV with tabs on the clipboard, as
 /// spreadsheets expect it. `name` is the caption of the table and the proposed file name.
 void addTableActions(QMenu& menu, QAbstractItemView& view, const QString& name);
-/// Gives a view without a context menu of its own one with these actions.
+/// Adds a context menu with these actions to a view that has no context menu.
 void makeTableSavable(QAbstractItemView& view, const QString& name);
 
 /// Asks for a file in the user's folder (see kFolderProperty) and returns it with an ending of the

@@ -96,8 +96,8 @@ class SimulationRunner : public QObject {
   /// of the temporary file (empty: system default).
   void setHistory(std::size_t mostInMemory, std::string folder = {});
   std::size_t historyMemory() const { return historyMemory_; }  // [B]
-  /// Creates the guests of future runs. They run in the session's thread and may control the run.
-  /// Null: no guests.
+  /// Creates the observers of future runs. They run in the session's thread and may control the
+  /// run. Null: no observers.
   using ObserverFactory = std::function<std::vector<app::Session::Observer>(
       app::Session&, sim2d::World&, const std::shared_ptr<const app::Bundle>&)>;
   void setObserverFactory(ObserverFactory guests) { observerFactory_ = std::move(guests); }

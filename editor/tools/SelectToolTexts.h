@@ -7,7 +7,7 @@ namespace editor {
 class MapScene;
 class ScenarioDocument;
 
-/// What the status bar says about the tool that selects.
+/// The status texts of the selection tool.
 class SelectToolTexts {
   Q_DECLARE_TR_FUNCTIONS(editor::SelectTool)
  public:

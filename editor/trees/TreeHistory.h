@@ -13,7 +13,7 @@ class TreeHistory : public QAbstractScrollArea {
   Q_OBJECT
  public:
   struct StatusInterval {
-    std::int64_t from = 0;  // First step; up to the next stretch, or to the newest state.
+    std::int64_t from = 0;  // First step; up to the next interval, or to the newest state.
     base::NodeStatus status = base::NodeStatus::Idle;
   };
 
@@ -21,7 +21,7 @@ class TreeHistory : public QAbstractScrollArea {
   void setTheme(const Theme& theme);
   void showPerson(int id);  // Person whose tree the graph shows; it may have changed.
   void choose(int node);
-  /// The known stretches of a node in order of time.
+  /// The known intervals of a node in order of time.
   const std::vector<StatusInterval>& intervalsOf(int node) const {
     return bands_[static_cast<std::size_t>(node)];
   }

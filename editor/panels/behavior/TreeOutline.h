@@ -71,7 +71,7 @@ void paintStatusMark(QPainter& painter, base::NodeStatus status, const Theme& th
 void fillBreakpointMenu(QMenu& menu, SimulationRunner& runner, const std::string& path, int person,
                         QWidget& window);
 
-/// "when it fails, of anybody, if id > 2"
+/// "when it fails, for any person, if id > 2"
 QString breakpointText(const sim2d::TreeBreakpoint& point);
 
 }  // namespace editor
