@@ -85,29 +85,31 @@ base::Diagnostics withoutDuplicates(const base::Diagnostics& some, const base::D
 /// Returns the diagnostics of `more` whose text does not occur in `reported`.
 base::Diagnostics newDiagnostics(const base::Diagnostics& reported, const base::Diagnostics& more);
 
-/// A scenario with all that a run of it takes, in memory: read from files, or as the window has it.
+/// A scenario with all inputs of a run, in memory: read from files, or from the document of the
+/// window.
 struct Bundle {
-  std::string path;  // of the scenario's file, which names it in messages; empty = in none
+  std::string path;  // of the scenario file, also used in messages; empty: not in a file
   std::shared_ptr<const sim2d::Scenario> scenario;
-  bool isWhole = true;       // false: the file could be read in part only
-  bool isBeginning = false;  // of a damaged file: what that means alone would mislead
-  std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
-  std::shared_ptr<SurroundingsCache> known = std::make_shared<SurroundingsCache>();  // of both
-  std::shared_ptr<metrics::ShortestPathCache> routes;  // of runs before on the map; null: none
-  base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();  // of the work on the map
-  // Of one run: ends making its world and waiting in it.
+  bool isWhole = true;       // false: only a part of the file could be read
+  bool isBeginning = false;  // only the beginning of a damaged file: not checked further
+  std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: unreadable; empty: open plane
+  // Of scenario and map.
+  std::shared_ptr<SurroundingsCache> known = std::make_shared<SurroundingsCache>();
+  std::shared_ptr<metrics::ShortestPathCache> routes;  // of earlier runs on the map; null: none
+  base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();  // stops work on the map
+  // Of one run: cancels the creation of its world, and waiting in it.
   base::StopFlagPtr stopOfRun = std::make_shared<const base::StopFlag>();
-  std::string mapPath;  // of the map's YAML; empty: in none
+  std::string mapPath;  // of the map's YAML file; empty: not in a file
   std::string mapImagePath;
   int comments = 0;  // in the scenario file
   bt::TreeFiles trees;
-  std::shared_ptr<bt::TreeCache> knownTrees;  // of runs before; null: none
+  std::shared_ptr<bt::TreeCache> knownTrees;  // of earlier runs; null: none
   MetricsOptions metrics;
   RunSettings settings;
-  std::map<base::EntityId, int> lines;  // where entities stand in the file
+  std::map<base::EntityId, int> lines;  // first line of each entity in the file
   std::vector<std::string> inputs;      // files that were read, for the manifest
   base::Diagnostics wrongOptions;       // invalid options: the command line is wrong
-  base::Diagnostics remarks;            // of reading it all
+  base::Diagnostics remarks;            // of reading all of this
   bool hasScenario() const { return isWhole || (!isBeginning && !scenario->humans.empty()); }
 };
 
@@ -133,7 +135,7 @@ struct Verdict {
 /// How far a check goes.
 enum class CheckDepth { Meaning, Setup, World };
 
-/// Checks the meaning of the scenario, trees and metrics, and makes the world when there are no
+/// Checks the meaning of the scenario, trees and metrics, and creates the world if there are no
 /// errors. All runs and all lists of problems come from this function. Any thread; reads metrics
 /// files and the trees in files. Throws `base::Stopped` when a stop flag of the bundle is set.
 Verdict check(const Bundle& bundle, CheckDepth depth = CheckDepth::World);

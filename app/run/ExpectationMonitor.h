@@ -39,7 +39,7 @@ class ExpectationMonitor {
     sim2d::Expectation expectation;
     int subject = 0;              // id, if a name is given
     std::optional<int> other;     // id of the object, if it is a person
-    std::set<int> people;         // who has done it
+    std::set<int> people;         // ids of the people who have done it
     std::map<int, double> since;  // Stands: start of standing [s] per person
     std::optional<double> time;   // when the number of people was reached
   };

@@ -15,7 +15,7 @@ namespace app {
 
 /// What `batch` runs: scenarios x values x seeds.
 struct Experiment {
-  /// Whose run folders are kept; unsuccessful are failed runs and those whose robot failed.
+  /// The runs whose folders are kept; unsuccessful are failed runs and those whose robot failed.
   enum class Record { Metrics, Failed, Unsuccessful, All };
   static constexpr const char* kRecordNames[] = {"metrics", "failed", "unsuccessful", "all"};
 

@@ -21,8 +21,8 @@ class ExperimentRunner {
   ExperimentRunner(const Experiment& experiment, std::string runsFolder, sim2d::ImageLoader loader)
       : experiment_(experiment), runsFolder_(std::move(runsFolder)), reader_(std::move(loader)) {}
 
-  /// Whose files check() reads: those of the first run of each scenario only, or also those of the
-  /// other options of robots.
+  /// The files that check() reads: those of the first run of each scenario only, or also those of
+  /// the other options of robots.
   enum class Checked { FirstRuns, AllOptions };
   /// Reports scenarios that no run could use, values that no scenario accepts, options of robots
   /// that no run could use (at their places in the experiment) and, if external code is not

@@ -20,12 +20,12 @@ struct FuturesOptions {
   double spread = 0.2;     // [m/s] standard deviation of random pushes, per axis
   int jobs = 1;            // processes at a time
   long long seed = 1;      // of future k: this + k
-  double sampleGap = 0.2;  // [s] between two points of a way
+  double sampleGap = 0.2;  // [s] between two points of a trajectory
 };
 constexpr int kMaxFutures = 1000;
 constexpr double kLongestFuture = 600.0;  // [s]
 
-/// The first time that a robot touches a person; in a run without robots, a person another.
+/// The first contact of a robot with a person; in a run without robots, of two people.
 struct FutureContact {
   double time = 0.0;  // of the run [s]
   int id = 0, other = 0;
@@ -50,7 +50,7 @@ base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
                                   const FuturesOptions& options,
                                   const std::function<void(const Future&)>& onFuture,
                                   const std::function<bool()>& wantsStop);
-/// The same in this process, one future; the world has no use afterwards.
+/// Simulates one future in this process; the world must not be used afterwards.
 Future simulateFuture(sim2d::World& world, const Bundle& bundle, const FuturesOptions& options,
                       int number);
 
@@ -58,7 +58,7 @@ Future simulateFuture(sim2d::World& world, const Bundle& bundle, const FuturesOp
 std::string futureText(const Future& future);
 std::optional<Future> futureOf(const std::string& text);
 
-/// How many futures had met with a contact by a time.
+/// The futures with a contact up to a time, and the probability that follows.
 struct ContactChance {
   double time = 0.0;  // [s]
   int contacts = 0, futures = 0;
@@ -74,14 +74,14 @@ std::optional<double> medianContactTime(const std::vector<Future>& futures);
 
 /// A request to another process of this program to simulate futures of a run.
 struct FuturesRequest {
-  Bundle bundle;  // from its beginning
+  Bundle bundle;  // of the beginning of the run
   std::vector<RunBranch> branches;
   sim2d::RecordedInputs inputs;
   std::int64_t at = 0;  // step of the moment
-  std::string state;    // rows of the state there, as in trajectory.csv: it is to be met again
+  std::string state;    // its rows as in trajectory.csv, which the replay must reproduce
   FuturesOptions options;
 };
-/// All of it as bytes, for the same program alone.
+/// The request as bytes; only the same version of the program can read them.
 std::string encodeFuturesRequest(const FuturesRequest& request);
 base::Result<FuturesRequest> decodeFuturesRequest(const std::string& bytes);
 /// Replays the run up to the step `at`, then simulates its futures. Errors: those of the run and of

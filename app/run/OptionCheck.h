@@ -11,10 +11,10 @@
 
 namespace app {
 
-/// Checks the options of an experiment that set a planner, its parameters or its files, as far as
-/// the world of a run; no run is made. Each option is checked once in each folder of scenarios,
-/// to which its relative paths refer, beside the texts that the first run has for other values.
-/// One thread.
+/// Checks the options of an experiment that set a planner, its parameters or its files, up to the
+/// creation of the world of a run; nothing is executed. Each option is checked once in each folder
+/// of scenarios, to which its relative paths refer, beside the texts that the first run has for
+/// other values. One thread.
 class OptionCheck {
  public:
   /// The experiment must outlive this.

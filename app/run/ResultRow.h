@@ -52,19 +52,19 @@ struct ResultRow {
   /// key, then those of other robots as `robot2.path_length`; for Nav2 robots also `endColumns` and
   /// `kDistanceLeft`.
   std::vector<std::pair<std::string, std::string>> fields;
-  std::vector<TreeRow> trees;     // if the experiment wants their coverage (TreeCoverage.h)
+  std::vector<TreeRow> trees;     // if the experiment requests their coverage (TreeCoverage.h)
   std::vector<InputHash> inputs;  // of the run; a file that changed meanwhile occurs twice
 };
 
-/// What is known of a column by its name.
+/// The description of a column.
 struct ColumnInfo {
   std::string name, unit;  // display name; empty unit: none
   bool isBoolean = false;
   bool isCount = false;
   int sense = 0;  // 1: higher is better, -1: lower is better, 0: neutral
 };
-/// Of a metric of the program or another column above, also of another robot ("robot2.success");
-/// nullopt for other names, such as metrics of a user's file.
+/// The description of a metric of the program or of another column above, also of another robot
+/// ("robot2.success"); nullopt for other names, such as metrics of a user's file.
 std::optional<ColumnInfo> columnInfo(const std::string& column);
 /// The columns of the first robot that columnInfo() knows.
 std::vector<std::string> knownColumns();

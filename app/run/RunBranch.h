@@ -47,7 +47,7 @@ base::Result<sim2d::StepInputs> inputsOfMoves(const std::vector<std::string>& mo
 std::string changesText(const RunSpec& changes);
 
 /// The world of a run with branches: it is stepped from its beginning and continues as the branches
-/// say, each from its step on. One thread.
+/// specify, each from its step on. One thread.
 class BranchedRun {
  public:
   /// `branches` by rising step.

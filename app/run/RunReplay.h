@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// What a recorded run was made of, so that it can be replayed.
+/// The inputs of a recorded run and its branches, to replay it.
 struct RunProvenance {
   Bundle bundle;                    // of its beginning
   std::vector<RunBranch> branches;  // by rising step

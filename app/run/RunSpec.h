@@ -19,7 +19,8 @@ class Validator;
 
 namespace app {
 
-/// Everything that determines a run. Where its results go and who watches it is not part of it.
+/// Everything that determines a run. The places of its results and its observers are not part of
+/// it.
 struct RunSpec : MetricsOptions {
   std::string scenario;  // a file, or the name of a shipped scenario
   std::string map;       // instead of the scenario's; "none" = open plane; empty = the scenario's
@@ -160,14 +161,14 @@ inline constexpr RunOption kRunOptions[] = {
      RunOption::OfCommand},
 };
 
-/// How a run is computed, beside what the scenario says.
+/// Settings of a run that are not part of the scenario.
 struct RunSettings {
   sim2d::Compatibility compatibility;
   int threads = 1;
   bool exact = false;
-  bool strict = false;  // what is replaced, left out or taken by default is an error
+  bool strict = false;  // input that is replaced, left out or set to a default is an error
   sim2d::ExternalCodePolicy code =
-      sim2d::ExternalCodePolicy::Skipped;  // then there are problems, but no world to run
+      sim2d::ExternalCodePolicy::Skipped;  // external code is reported, no world is created
 };
 /// Errors: invalid options (exit code 64).
 base::Result<RunSettings> runSettingsOf(const RunSpec& spec);

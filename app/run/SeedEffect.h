@@ -10,7 +10,7 @@ namespace app {
 class ResultStore;
 
 /// Finds cells (all that is not the seed is equal) whose runs are the same for all seeds. They are
-/// no sample: intervals and tests treat as independent what is one run.
+/// not a sample: intervals and tests would treat repetitions of one run as independent runs.
 ///
 /// Criterion: the cell has runs with several seeds, and each run differs from its first one by at
 /// most 0.1 % of the larger value in every number column (both undefined: equal); at least one

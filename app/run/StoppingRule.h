@@ -39,16 +39,16 @@ base::Result<StoppingRule> readStoppingRule(const base::YamlNode& node,
 ///
 /// One observation per seed: the mean over scenarios (half-width), or the mean over all cases of
 /// the difference of two options (ranking). Its confidence sequences hold at all numbers of seeds
-/// together (statistics::MeanSequence), so looking often does not spoil them. For a ranking, the
-/// error probability is divided by the number of pairs of options (Bonferroni). Undefined values
-/// are left out; a failed run counts as one without success.
+/// together (statistics::MeanSequence), so frequent checks do not invalidate them. For a ranking,
+/// the error probability is divided by the number of pairs of options (Bonferroni). Undefined
+/// values are left out; a failed run counts as one without success.
 class StoppingCheck {
  public:
   /// The experiment has a stopping rule and must outlive this.
   explicit StoppingCheck(const Experiment& experiment);
 
   void add(std::size_t run, const ResultRow& row);
-  /// The numbers of seeds after which the batch looks: equal for any number of processes.
+  /// The numbers of seeds after which the rule is checked: equal for any number of processes.
   std::vector<std::size_t> looks() const;
   /// Whether the first `seeds` seeds are enough; all their runs were added. Call with increasing
   /// numbers.
