@@ -69,7 +69,8 @@ std::string contactsCsv(const std::vector<ContactReport>& reports);
 /// and person.
 std::string peopleCsv(const std::vector<ContactReport>& reports);
 
-/// What the robots of one planner, or several, did to people in all runs with them.
+/// The effect on people of the robots of one planner, or of several together, in all runs with
+/// them.
 struct PlannerCost {
   std::string planners;
   std::size_t runs = 0, people = 0;  // people: of all runs together

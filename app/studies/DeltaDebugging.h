@@ -11,7 +11,7 @@ namespace app {
 /// A subset of the elements 0 … count - 1, in increasing order.
 using ElementSet = std::vector<std::size_t>;
 
-/// Tells for each subset whether it still fails. An error ends the minimisation.
+/// Returns for each subset whether it still fails. An error ends the minimisation.
 using SubsetTest =
     std::function<base::Result<std::vector<bool>>(const std::vector<ElementSet>& subsets)>;
 

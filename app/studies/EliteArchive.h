@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// A quantity of a run that tells kinds of runs apart: a metric and its division into cells.
+/// A quantity that distinguishes kinds of runs: a metric and its division into cells.
 struct Descriptor {
   std::string key;  // of the metric
   double low = 0.0, high = 1.0;

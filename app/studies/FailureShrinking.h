@@ -37,11 +37,12 @@ struct ShrunkFailure {
 /// areas or robots that remain, and not a change of a value.
 bool isEntityList(const std::string& setting);
 
-/// Shrinks a run that fails with this kind by delta debugging (DeltaDebugging.h). What can go is:
-/// people, obstacles, doors, areas and all robots but the first; the changes of values (`--set`)
-/// except planners and their programs, which the failure belongs to; the variation of people. Then
-/// the duration is cut at the end of the run, unless the failure is its time limit. Each of these
-/// is accepted only if the kind of the failure stays the same. `mostRuns`: limit for the runs.
+/// Shrinks a run that fails with this kind by delta debugging (DeltaDebugging.h). Removed are, if
+/// possible: people, obstacles, doors, areas and all robots but the first; the changes of values
+/// (`--set`) except planners and their programs, which the failure belongs to; the variation of
+/// people. Then the duration is cut at the end of the run, unless the failure is its time limit.
+/// Each of these is accepted only if the kind of the failure stays the same. `mostRuns`: limit for
+/// the runs.
 base::Result<ShrunkFailure> shrunkFailure(const RunRequest& failing, const ResultRow& row,
                                           const FailureKind& kind, std::size_t mostRuns,
                                           const RunMany& run, const ContactJudge& judge = {});

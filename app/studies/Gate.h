@@ -91,10 +91,10 @@ RunRequest gateRequest(const GateOptions& options, std::size_t scenario, long lo
                        bool candidate);
 
 /// Runs blocks of rounds until the verdict is known or the limit of seeds is reached. Deterministic
-/// for any number of jobs: blocks have at least kGateBlock pairs. The test looks after each round;
-/// rounds of the block after the decisive one are executed and listed, but change no verdict.
-/// Errors: those of RunPool; `gate.base-fails`: no run of the base ended regularly in the first
-/// block; `gate.no-values`: no run has a value of a requested metric.
+/// for any number of jobs: blocks have at least kGateBlock pairs. The test is evaluated after each
+/// round; rounds of the block after the decisive one are executed and listed, but change no
+/// verdict. Errors: those of RunPool; `gate.base-fails`: no run of the base ended regularly in the
+/// first block; `gate.no-values`: no run has a value of a requested metric.
 base::Result<GateResult> runGate(const GateOptions& options, RunPool& pool,
                                  const std::function<void(const GateTest&)>& showProgress = {});
 constexpr std::size_t kGateBlock = 8;

@@ -31,7 +31,7 @@ struct RobotManoeuvre {
 std::vector<RobotManoeuvre> robotManoeuvres(const sim2d::TraceRobot& robot,
                                             const sim2d::BodyTwist& now);
 
-/// The command of a manoeuvre `elapsed` [s] after its begin, for a robot that moves with `now` and
+/// The command of a manoeuvre `elapsed` [s] after its start, for a robot that moves with `now` and
 /// a time step `dt` [s]. Its linear part is what is reached in this step, so that an Ackermann
 /// robot steers while it brakes.
 sim2d::BodyTwist commandOf(const RobotManoeuvre& manoeuvre, double elapsed,
@@ -58,8 +58,8 @@ struct PersonManoeuvre {
 /// Stop; step to the left, the right or back after a stop; the first two while walking; walk
 /// faster.
 const std::vector<PersonManoeuvre>& personManoeuvres();
-/// The inputs of a step, `elapsed` [s] after the begin of the manoeuvre. `heading` [rad]: of the
-/// person at its begin.
+/// The inputs of a step, `elapsed` [s] after the start of the manoeuvre. `heading` [rad]: of the
+/// person at its start.
 sim2d::StepInputs inputsOf(const PersonManoeuvre& manoeuvre, double elapsed,
                            const sim2d::TraceHuman& person, double heading);
 

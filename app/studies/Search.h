@@ -25,7 +25,7 @@ struct SearchPlan {
   std::string worst;       // key of a metric to make worse; empty: search for failures
   bool covers = false;     // instead of failures, nodes of behaviour trees that no run has executed
   std::size_t runs = 500;  // of the search, without shrinking
-  /// The search ends when it has failures of so many kinds, unless it looks for the worst value.
+  /// The search ends when it has failures of so many kinds, unless it searches for the worst value.
   std::size_t failures = 1;
   std::size_t shrinkRuns = 400;  // limit per failure
   std::uint64_t seed = 1;        // of the search itself
@@ -54,7 +54,7 @@ struct SearchedRun {
   std::array<double, 2> descriptors{};
   std::optional<FailureKind> kind;  // it is a failure
   std::size_t newNodes = 0;         // of behaviour trees, with SearchPlan::covers
-  bool isUnavoidable = false;       // a contact that the judge excused; only asked for new kinds
+  bool isUnavoidable = false;       // a contact that does not count; judged for new kinds only
 };
 
 /// A failure of a kind that no earlier run had.

@@ -21,11 +21,11 @@ struct RatedCandidate {
 
 /// Proposes the candidates of a search. Two emitters take turns within each batch, each with a
 /// CMA-ES over the continuous values: one optimises the fitness with restarts (IPOP), the other one
-/// looks for new and better cells of the archive and restarts from a random elite when a generation
-/// has changed none (improvement emitter of CMA-ME; Fontaine et al. 2020, arXiv:1912.02400). Their
-/// categories are those of the best candidate and of the elite; a share of the candidates gets
-/// another option of one category. Without continuous values, candidates are new combinations near
-/// elites or at random.
+/// searches for new and better cells of the archive and restarts from a random elite when a
+/// generation has changed none (improvement emitter of CMA-ME; Fontaine et al. 2020,
+/// arXiv:1912.02400). Their categories are those of the best candidate and of the elite; a share of
+/// the candidates gets another option of one category. Without continuous values, candidates are
+/// new combinations near elites or at random.
 class SearchEmitters {
  public:
   /// The space must outlive this.

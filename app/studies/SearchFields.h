@@ -7,10 +7,10 @@
 #include "app/studies/SearchStudy.h"
 #include "sim2d/trace/Csv.h"
 
-/// What the files of all goals of a search have in common.
+/// Fields that the files of all kinds of searches have in common.
 namespace app {
 
-/// Where a run of the search comes from, and how it ended.
+/// The inputs of a run of the search, and its end.
 template <class Json>
 Json searchedRunJson(const SearchStudy& study, std::size_t number) {
   const SearchedRun& run = study.result.runs[number];

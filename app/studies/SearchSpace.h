@@ -35,7 +35,7 @@ struct Candidate {
 /// categories. The first two categories are the scenarios and the seeds.
 class SearchSpace {
  public:
-  /// What ends runs unless the experiment says so: contacts with anything and a robot without
+  /// What ends runs unless the experiment specifies it: contacts with anything and a robot without
   /// progress (see requestOf), or only what the scenario sets.
   enum class RunsEnd { AtFailures, AsInScenario };
 

@@ -103,8 +103,8 @@ class Tuner {
   std::vector<TunedValues> defaultCandidates() const;
   /// The base with one parameter at values that are far from the current one.
   std::vector<TunedValues> rangeCandidates() const;
-  /// Races the candidates and notes what the changes of single parameters do. The best one becomes
-  /// the base if its gain is large and certain.
+  /// Races the candidates and stores the effects of changes of single parameters. The best one
+  /// becomes the base if its gain is large and certain.
   base::Diagnostics probeAll(const std::vector<TunedValues>& candidates);
   void note(const std::vector<TunedValues>& candidates, const TuneRuns& runs);
   /// The best changes of different parameters, alone and together.
@@ -134,7 +134,7 @@ class Tuner {
   base::Diagnostics measureEffects();
   /// The values with the changes of the first `count` effects.
   TunedValues withEffects(const TunedValues& full, std::size_t count) const;
-  /// Takes back changes without effect if that loses nothing, and those beyond the limit.
+  /// Reverts changes without effect if that loses nothing, and those beyond the limit.
   base::Diagnostics simplify(const TunedValues& full, const TuneScoring& scoring);
 
   // TuneEvaluation.cpp: runs that the search has not seen.
