@@ -37,8 +37,8 @@ struct PairTest {
   double adjusted = statistics::kUndefined;  // Holm-adjusted over all tests of the table
 };
 
-/// The test over all cases: differences are ranked within their case (statistics/Stratified.h). For
-/// rates, McNemar's test has one stratum per pair, so it is also valid over all cases.
+/// The test over all cases: differences are ranked within their case (statistics/PairedTests.h).
+/// For rates, McNemar's test has one stratum per pair, so it is also valid over all cases.
 struct PairResult : PairTest {
   struct CaseResult : PairTest {  // `adjusted`: over the pairs of all cases
     std::size_t number = 0;       // index of the case

@@ -6,7 +6,7 @@
 
 #include "app/report/Study.h"
 
-/// The end of the methods section of a page: with what its results were made.
+/// The end of the methods section of a page: versions, input files and commands of its results.
 namespace report {
 
 /// A name with its value: a version, a file with its SHA-256.

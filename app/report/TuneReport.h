@@ -9,7 +9,7 @@
 /// The results of tuning as files. Deterministic.
 namespace report {
 
-/// What the files of a tuning say beside its results.
+/// Contents of the files of a tuning besides its results.
 struct TuneContext {
   std::string outputName;              // of the tuned file: "nav2_params.yaml"
   std::vector<std::string> command;    // the command line
@@ -44,7 +44,7 @@ Table tuneEffectsTable(const app::TuneOptions& options, const app::TuneSubject& 
                        const app::TuneResult& result);
 /// All parameters of the search with their ranges and values.
 Table tuneParametersTable(const app::TuneSubject& subject, const app::TuneResult& result);
-/// What changes of single parameters did in the search.
+/// The effects of changes of single parameters in the search.
 Table tuneProbeTable(const app::TuneOptions& options, const app::TuneSubject& subject,
                      const app::TuneResult& result);
 /// The candidates on the front.

@@ -13,7 +13,7 @@ namespace report {
 /// size of the difference relative to the mean; except for success and contacts, differences below
 /// 2 % of the mean come last, without numbers. Only paired tests with p < 0.05 after Holm's
 /// adjustment count; neutral metrics are omitted. If all seeds gave the same values, nothing can be
-/// tested, and the paragraph says only this. Empty: nothing is compared.
+/// tested, and the paragraph states only this. Empty: nothing is compared.
 std::string verdictMarkup(const Study& study, const Comparisons& comparisons);
 
 /// The result of one comparison as a sentence; empty: nothing was compared. "Path length: best is
