@@ -15,7 +15,7 @@ struct CertifyOptions {
   int jobs = processorCount();
   int seeds = 10;                     // number of seeds
   int firstSeed = 1001;               // of the seeds for evaluation
-  std::vector<std::string> planners;  // empty: kUsualPlanners
+  std::vector<std::string> planners;  // empty: the default planners
 
   bool isGiven() const { return certify || verify; }
 };

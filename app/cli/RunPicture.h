@@ -93,10 +93,9 @@ class RunFigure {
   QSizeF size_;
 };
 
-/// The picture of a run for a paper: map and obstacles on white (dark
-/// theme: on dark), trajectories that fade from light
-/// to full, starts as rings, goals as pins, legend and scale. One thread; requires a
-/// QGuiApplication. The trace must outlive it.
+/// The picture of a run for a paper: map and obstacles on white (dark theme: on dark), trajectories
+/// that fade from light to full, starts as rings, goals as pins, legend and scale. One thread;
+/// requires a QGuiApplication. The trace must outlive it.
 class RunPicture : public RunFigure {
  public:
   RunPicture(const sim2d::Trace& trace, const PictureLayout& layout);

@@ -17,7 +17,7 @@ std::string commandsMarkdown(const CommandTable& table);
 std::string manPage(const CommandTable& table);
 
 /// Completion scripts. All complete commands, options, choices, files and the names of scenarios,
-/// which they ask of `hunavsim list scenarios`.
+/// which they get from `hunavsim list scenarios`.
 std::string bashCompletion(const CommandTable& table);
 std::string zshCompletion(const CommandTable& table);
 std::string fishCompletion(const CommandTable& table);
