@@ -27,11 +27,12 @@ struct ArchiveMember {
 };
 
 /// Writes an archive with these members in this order, or leaves the file as it was. All members
-/// have the same time (1980-01-01), so equal members give equal bytes with the same
-/// versions of libzip and zlib.
+/// have the same time (1980-01-01), so equal members give equal bytes with the same versions of
+/// libzip and zlib.
 base::Diagnostics writeArchive(const std::string& path, const std::vector<ArchiveMember>& members);
 
-/// What open() refuses, because it would fill the disk or memory.
+/// Limits of sizes, above which open() rejects an archive, because it would fill the disk or
+/// memory.
 struct ArchiveLimits {
   std::size_t members = 500'000;
   std::uint64_t total = std::uint64_t{32} << 30U;  // [B] of all members, uncompressed
@@ -41,7 +42,7 @@ struct ArchiveLimits {
   std::uint64_t expansion = 200;
 };
 
-/// Reads an archive that may come from anybody. One thread.
+/// Reads an archive from an untrusted source. One thread.
 class ArchiveReader {
  public:
   struct Entry {

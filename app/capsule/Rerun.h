@@ -36,8 +36,8 @@ struct Rerun {
 };
 
 /// Repeats these runs of a batch. Compares rows of results.csv (`table`) and, for runs whose folder
-/// was kept, its files. Errors: external code is not allowed, temporary files cannot
-/// be written, processes cannot be started.
+/// was kept, its files. Errors: external code is not allowed, temporary files cannot be written,
+/// processes cannot be started.
 base::Result<Rerun> rerunBatch(const UnpackedCapsule& capsule, const ResultTable& table,
                                const std::vector<std::size_t>& runs, const RerunOptions& options);
 

@@ -34,8 +34,8 @@ struct Verification {
 
 /// Compares all checksums of a capsule, its tables with each other and with the experiment, and a
 /// sample of its runs with their repetition. Unpacks into a temporary folder. Errors: not a
-/// capsule, damaged, not readable by this program; external code that was
-/// not packed; those of rerunBatch().
+/// capsule, damaged, not readable by this program; external code that was not packed; those of
+/// rerunBatch().
 base::Result<Verification> verify(const VerifyOptions& options);
 
 /// Chooses `count` of these at random, without repetition; sorted.

@@ -15,8 +15,8 @@ namespace py = pybind11;
 /// Python callables by the name of a robot or person. Destroy with the interpreter lock.
 using Callables = std::map<std::string, py::object>;
 
-/// The callables of a dict; None: none. An object with a method `command` (planner) or `decide`
-/// (behaviour) stands for that method. Throws TypeError for anything else.
+/// The callables of a dict; None: none. For an object with a method `command` (planner) or `decide`
+/// (behaviour), that method is used. Throws TypeError for anything else.
 Callables callablesOf(const py::object& dict, const char* method);
 
 /// Replaces planners and behaviours of the setup by the callables. They are called while the world

@@ -33,8 +33,8 @@ void appendRows(std::vector<StateRow>& rows, const sim2d::Frame& frame);
 /// The rows as an array that owns them, without a copy.
 py::array arrayOf(std::vector<StateRow> rows);
 
-/// Box2D has static variables, so only one world steps at a time, in whatever thread. Holds the
-/// lock of all simulations of the process and has released the interpreter lock.
+/// Box2D has static variables, so only one world steps at a time, in any thread. Holds the lock of
+/// all simulations of the process and has released the interpreter lock.
 class SimulationLock {
  public:
   SimulationLock();
