@@ -26,7 +26,7 @@ struct Notice {
 };
 
 /// Shows notices at the top of the canvas, one per row; hidden if there are none. They cover the
-/// canvas, so that nothing moves under the pointer when one appears or goes.
+/// canvas, so that nothing moves under the pointer when a notice appears or disappears.
 class NoticeBar : public QWidget {
   Q_OBJECT
  public:

@@ -9,7 +9,8 @@
 
 namespace app {
 
-/// The page shown while nothing is open: ways to begin, recent files, the shipped scenarios.
+/// The page shown while nothing is open: commands to begin with, recent files, the shipped
+/// scenarios.
 class StartPage : public QScrollArea {
   Q_OBJECT
  public:

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// A command of the window as it is listed for users. The texts are those of the moment: the text
-/// of Undo names the last change.
+/// A command of the window as it is listed for users. The texts are the current ones: the text of
+/// Undo names the last change.
 struct Command {
   QPointer<QAction> action;
   QString name;  // without mnemonic, ellipsis and key; constant for commands with changing text

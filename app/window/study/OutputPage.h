@@ -44,8 +44,8 @@ struct OutputPlace {
   editor::Theme theme;
 };
 
-/// The pages of the kinds of results, without a parent. Their colours are fixed: they are made
-/// again when the theme changes.
+/// The pages of the kinds of results, without a parent. Their colours are fixed: the pages are
+/// recreated when the theme changes.
 OutputPage* makeOutputPage(const report::StudyOutput& output, const OutputPlace& place);
 OutputPage* makeTunePage(const report::TuneOutput& output, const OutputPlace& place);
 OutputPage* makeGatePage(const report::GateOutput& output, const OutputPlace& place);

@@ -95,8 +95,8 @@ class StudyPanel : public QWidget {
   OutputPage* outputPage() const { return page_; }
   StudyForm& form() const { return *form_; }
   StudyProcess& process() { return process_; }
-  /// Starts the study. If results of another experiment exist or external code is not allowed, it
-  /// shows or asks this first.
+  /// Starts the study. If results of another experiment exist, this is shown first; if external
+  /// code is not allowed, the user is asked first.
   void start(StudyProcess::Begin begin = StudyProcess::Begin::Resume);
   void allowCode(const std::vector<ExternalCode>& code);  // and continues
   void stop();

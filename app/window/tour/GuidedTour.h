@@ -34,8 +34,8 @@ QString tourText(TourStep step, const TourState& state, const WindowActions& act
                  const Workspace& workspace);
 
 /// A card over the map that leads through the first run: place a person, give it a goal, place a
-/// robot, run, read a metric. It follows what the user really does, in any order, and can be closed
-/// at any time. The button or panel to use next has a frame.
+/// robot, run, read a metric. It follows what the user actually does, in any order, and can be
+/// closed at any time. The button or panel to use next has a frame.
 class GuidedTour : public QWidget {
   Q_OBJECT
  public:
