@@ -56,10 +56,11 @@ struct ResolvedRobot {
   std::string nav2Topics;                                         // messages and calls, by time
   std::vector<std::pair<std::string, std::string>> nav2Values;  // override values of the file; YAML
   Pose2 start;
-  std::vector<Vec2> goals;   // in order; empty: the robot does not move
-  std::vector<int> goalIds;  // ids of `goals`; 0: a plain point
-  double goalRadius = 0.2, startTime = 0.0;
-  double radius = 0.35, mass = 50.0;
+  std::vector<Vec2> goals;                   // in order; empty: the robot does not move
+  std::vector<int> goalIds;                  // ids of `goals`; 0: a plain point
+  double goalRadius = 0.2, startTime = 0.0;  // [m], [s]
+  double radius = 0.35, mass = 50.0;         // [m], [kg]
+  // [m/s], [m/s²], [rad/s], [rad/s²]
   double maxVel = 1.0, maxAcc = 1.0, maxOmega = 1.5, maxAlpha = 3.0;
   double maxReverse = 1.0;      // backwards [m/s]; scaled with maxVel as for the robot type
   std::vector<Vec2> footprint;  // robot frame, CCW; empty: disc

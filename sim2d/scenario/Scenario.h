@@ -280,7 +280,7 @@ struct DesktopSettings {
   std::optional<std::string> mapFile;
   std::optional<std::string> mapRule;  // "humble", "main"
   std::optional<long long> seed;
-  std::optional<double> duration, dt;
+  std::optional<double> duration, dt;  // [s]
   std::optional<StopOnCollision> stopOnCollision;
   std::optional<double> stuckAfter;  // [s], 0 = never
   std::optional<int> recordEvery;

@@ -42,7 +42,7 @@ struct TraceGoal {
 struct TraceHuman {
   int id = 0;
   std::string name, kind, model;
-  double radius = 0.35, mass = 80.0, desiredSpeed = 1.0;
+  double radius = 0.35, mass = 80.0, desiredSpeed = 1.0;  // [m], [kg], [m/s]
   int group = -1;
   int behavior = 1;       // 1..6
   int configuration = 0;  // 0..3
@@ -74,9 +74,10 @@ struct TraceHuman {
 struct TraceRobot {
   int id = -1;
   std::string name, type, planner;
-  double radius = 0.35, mass = 50.0;
+  double radius = 0.35, mass = 50.0;  // [m], [kg]
+  // [m/s], [m/s²], [rad/s], [rad/s²]
   double maxVel = 1.0, maxAcc = 1.0, maxOmega = 1.5, maxAlpha = 3.0;
-  double startTime = 0.0;
+  double startTime = 0.0;  // [s]
   std::vector<TraceGoal> goals;
   std::vector<Vec2> footprint;              // robot frame; empty: disc
   std::string kinematics = "differential";  // or "omnidirectional", "ackermann"; optional
