@@ -33,9 +33,9 @@ struct EvaluateOptions {
   std::string format, columns;
   std::string unit, timeUnit;
   bool degrees = false;
-  std::optional<double> framesPerSecond, step, radius;
-  std::string topics;  // of a bag
-  std::string robot;   // of a run: its robot; of a file: the id of the body that is the robot
+  std::optional<double> framesPerSecond, step, radius;  // [1/s], [s], [m]
+  std::string topics;                                   // of a bag
+  std::string robot;  // of a run: its robot; of a file: the id of the body that is the robot
   std::optional<std::string> robotGoal;
   Ros2Options ros2;  // a running system instead of a source
   std::string space = "/";

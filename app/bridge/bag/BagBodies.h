@@ -95,9 +95,9 @@ constexpr double kSamePlace = 1e-6;   // [m], precision of positions in messages
 struct BagSample {
   std::int64_t time = 0;  // [ns]
   base::Pose2 pose;
-  std::optional<double> heading;  // none: unknown
-  std::optional<base::Vec2> velocity;
-  std::optional<double> omega;
+  std::optional<double> heading;       // [rad]; none: unknown
+  std::optional<base::Vec2> velocity;  // [m/s]
+  std::optional<double> omega;         // [rad/s]
   int group = -1;
   std::uint8_t state = 0;
   std::optional<base::Vec2> goal;     // current goal
