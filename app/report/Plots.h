@@ -8,9 +8,8 @@
 #include "app/report/Comparison.h"
 #include "app/report/Figure.h"
 
-/// Comparison figures. Each takes the comparisons of the displayed metrics.
-
-/// Placement of point labels without overlaps.
+/// Comparison figures, each of which takes the comparisons of the displayed metrics, and placement
+/// of point labels without overlaps.
 
 namespace report {
 
