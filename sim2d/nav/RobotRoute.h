@@ -42,8 +42,8 @@ class RobotRoute {
   bool replanned_ = false;
 };
 
-/// Desired velocity of a robot, for planners that choose velocities. World frame, SI. Not
-/// thread-safe per object.
+/// Desired velocity of a robot, for planners that choose velocities. World frame, SI. Objects are
+/// not thread-safe.
 
 /// Velocity towards the point `lookahead` [m] farther along the route, at most `speed` [m/s] and
 /// slow enough to stop at the goal; zero within half of the goal radius. The route must not be

@@ -4,10 +4,10 @@
  * robot that names it, and calls it once per step while the robot has a goal. World frame, SI,
  * radians: x right, y up, headings counter-clockwise from +x in (-pi, pi].
  *
- * Two planners of one library may be called from two threads at the same time, one planner never.
- * Pointer arguments are valid during the call only. The same observations in the same order must
- * give the same commands: otherwise a run cannot be repeated. The library runs inside the
- * simulator: no exception may leave it, and its crash crashes the simulator.
+ * Two planners of one library may be called from two threads at the same time; calls of one planner
+ * never overlap. Pointer arguments are valid during the call only. The same observations in the
+ * same order must give the same commands: otherwise a run cannot be repeated. The library runs
+ * inside the simulator: no exception may leave it, and a crash of the library ends the simulator.
  */
 #ifndef HUNAVSIM_PLANNER_H
 #define HUNAVSIM_PLANNER_H
