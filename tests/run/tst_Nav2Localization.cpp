@@ -17,6 +17,7 @@ class Nav2LocalizationTest : public QObject {
   void exactLocalizer_changesNoBit();
   void errors_areThoseOfTheFile();
   void driftWithCorrections_arrives_withoutItDoesNot();
+  void bringupOfJazzy_growingErrors_arrivesLessExactly();
   void localCostmapInTheMap_arrives();
   void lateInitialPose_treeWaitsForIt();
   void reinitialize_errorJumpsAndRelaxes();
@@ -126,6 +127,42 @@ void Nav2LocalizationTest::driftWithCorrections_arrives_withoutItDoesNot() {
   const Driven driven = drive(nav2(), both, 90.0);
   QVERIFY(driven.hasArrived);
   QVERIFY2(driven.left < 0.4, qPrintable(QString::number(driven.left)));
+}
+
+/// The file of nav2_bringup with MPPI arrives in 95 % of the runs with 5 cm and 2 degrees, and does
+/// not fail at once with more. With HUNAV_ALL_TESTS in more runs.
+void Nav2LocalizationTest::bringupOfJazzy_growingErrors_arrivesLessExactly() {
+  const int seeds = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS") ? 20 : 2;
+  app::RunSpec options = nav2();
+  options.nav2Params.insert(
+      options.nav2Params.end(),
+      {"FollowPath.vx_max:=0.5", "FollowPath.vx_min:=-0.35", "FollowPath.wz_max:=1.9",
+       "robot_radius:=0.22", "inflation_layer.cost_scaling_factor:=3.0",
+       "inflation_layer.inflation_radius:=0.7", "velocity_smoother:max_velocity:=[0.5, 0.0, 2.0]",
+       "velocity_smoother:min_velocity:=[-0.5, 0.0, -2.0]"});
+  double before = 0.0;  // mean distance to the goal with smaller errors [m]
+  for (const double error : {0.05, 0.1, 0.2}) {
+    int arrived = 0;
+    double left = 0.0;  // of those who arrive [m]
+    for (int seed = 1; seed <= seeds; ++seed) {
+      options.seed = seed;
+      const std::string std = base::formatDouble(error);
+      const Driven driven =
+          drive(options,
+                {"robot1.localization.std_x=" + std, "robot1.localization.std_y=" + std,
+                 "robot1.localization.std_yaw=" + base::formatDouble(0.7 * error)},
+                150.0);
+      QCOMPARE(driven.problems, std::string());
+      arrived += driven.hasArrived ? 1 : 0;
+      left += driven.hasArrived ? driven.left : 0.0;
+    }
+    left /= std::max(1, arrived);
+    qInfo("%g m: %d of %d arrive, %.3f m from the goal", error, arrived, seeds, left);
+    const double least = error < 0.1 ? 0.95 : error < 0.2 ? 0.9 : 0.5;
+    QVERIFY2(arrived >= least * seeds, qPrintable(QString::number(error)));
+    QVERIFY2(seeds < 10 || left > before, qPrintable(QString::number(left)));
+    before = left;
+  }
 }
 
 void Nav2LocalizationTest::localCostmapInTheMap_arrives() {
