@@ -1058,16 +1058,16 @@
         <translation>Hasta</translation>
     </message>
     <message>
-        <source>Source: no people are spawned after this time</source>
-        <translation>Fuente: después de este tiempo no se generan personas</translation>
+        <source>Source: no people are spawned after this time; absent: never ends</source>
+        <translation>Fuente: después de este tiempo no se generan personas; si falta: sin fin</translation>
     </message>
     <message>
         <source>Max. people</source>
         <translation>Máx. personas</translation>
     </message>
     <message>
-        <source>Source: maximum number of people</source>
-        <translation>Fuente: número máximo de personas</translation>
+        <source>Source: maximum number of people; absent: no limit</source>
+        <translation>Fuente: número máximo de personas; si falta: sin límite</translation>
     </message>
     <message>
         <source>Speed factor</source>
@@ -1142,8 +1142,8 @@
         <translation>Duración</translation>
     </message>
     <message>
-        <source>Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s</source>
-        <translation>Límite de tiempo; si falta: la ejecución termina 1 s después de llegar el robot, como máximo a los 120 s</translation>
+        <source>Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s; 60 s without a robot that has a goal</source>
+        <translation>Límite de tiempo; si falta: la ejecución termina 1 s después de llegar el robot, como máximo a los 120 s; a los 60 s sin un robot que tenga meta</translation>
     </message>
     <message>
         <source>End on contact</source>

@@ -1058,16 +1058,16 @@
         <translation>至</translation>
     </message>
     <message>
-        <source>Source: no people are spawned after this time</source>
-        <translation>源：此时间之后不再生成行人</translation>
+        <source>Source: no people are spawned after this time; absent: never ends</source>
+        <translation>源：此时间之后不再生成行人；缺省：不结束</translation>
     </message>
     <message>
         <source>Max. people</source>
         <translation>最多人数</translation>
     </message>
     <message>
-        <source>Source: maximum number of people</source>
-        <translation>源：最大行人数</translation>
+        <source>Source: maximum number of people; absent: no limit</source>
+        <translation>源：最大行人数；缺省：不限</translation>
     </message>
     <message>
         <source>Speed factor</source>
@@ -1142,8 +1142,8 @@
         <translation>时长</translation>
     </message>
     <message>
-        <source>Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s</source>
-        <translation>时间限制；缺省：机器人到达 1 s 后结束运行，最多 120 s</translation>
+        <source>Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s; 60 s without a robot that has a goal</source>
+        <translation>时间限制；缺省：机器人到达 1 s 后结束运行，最多 120 s；没有带目标的机器人时为 60 s</translation>
     </message>
     <message>
         <source>End on contact</source>

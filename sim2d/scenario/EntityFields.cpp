@@ -480,10 +480,11 @@ Fields<Area> areaFields() {
       field("from", &Area::from, "Source: people are spawned from this time on", {"From", 1, 1.0},
             "s", base::kTime)
           .defaultsTo(0.0),
-      field("until", &Area::until, "Source: no people are spawned after this time",
-            {"Until", 1, 1.0}, "s", base::kTime),
-      field("count", &Area::count, "Source: maximum number of people", {"Max. people", 0, 1.0}, {},
-            {0.0, 1000000.0}),
+      field("until", &Area::until,
+            "Source: no people are spawned after this time; absent: never ends", {"Until", 1, 1.0},
+            "s", base::kTime),
+      field("count", &Area::count, "Source: maximum number of people; absent: no limit",
+            {"Max. people", 0, 1.0}, {}, {0.0, 1000000.0}),
       field("factor", &Area::factor, "Speed: factor of the walking speed of people inside",
             {"Speed factor", 2, 0.1}, {}, {0.01, 10.0})
           .defaultsTo(1.0),

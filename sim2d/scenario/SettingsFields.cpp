@@ -235,7 +235,8 @@ Fields<DesktopSettings> settingsFields() {
             {"Seed", 0, 1.0}, {}, base::kNotNegative)
           .defaultsTo(1),
       field("duration", &Settings::duration,
-            "Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s",
+            "Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s; 60 s "
+            "without a robot that has a goal",
             {"Duration", 1, 5.0}, "s", {0.0, base::kTime.high, true}),
       stopOnCollisionField(),
       field("stuck_after", &Settings::stuckAfter,
