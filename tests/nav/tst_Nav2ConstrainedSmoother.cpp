@@ -170,6 +170,8 @@ class Nav2ConstrainedSmootherTest : public QObject {
     QVERIFY(isNear(curvature(0.4), 30.0 * (4.0 - 2.5) * (4.0 - 2.5)));
     QCOMPARE(curvature(0.25), 0.0);
     QCOMPARE(curvature(0.2), 0.0);
+    QCOMPARE(curvature(0.0), 0.0);  // a robot that turns in place
+    QVERIFY(parameterErrors(p).empty());
     const Vec2 tangent = arcDirection(at(0.2), at(0.6), at(1.2), false).normalized();
     const double sine = tangent.x() * std::cos(0.6) + tangent.y() * std::sin(0.6);
     QVERIFY(std::abs(sine) < 1e-9);  // across the radius

@@ -91,7 +91,7 @@ SmoothNumber curvatureOf(const SmoothTerm& term, const ConstrainedSmootherParame
                          const SmoothPoint& before, const SmoothPoint& at,
                          const SmoothPoint& after) {
   const auto centre = arcCentre(before, at, after, term.ratio < 0.0);
-  if (!centre) {
+  if (!centre || parameters.minimumTurningRadius <= 0.0) {
     return {};
   }
   const SmoothPoint spoke = at - *centre;

@@ -82,7 +82,7 @@ Nav2Keys<ConstrainedSmootherParameters> keysOf(const ConstrainedSmootherParamete
       {"keep_start_orientation", &P::keepStartOrientation, "",
        "keeps the heading of the first pose"},
       {"minimum_turning_radius", &P::minimumTurningRadius, "m",
-       "arcs with a smaller radius have a cost"},
+       "arcs with a smaller radius have a cost; 0: none has"},
       {"w_curve", &P::wCurve, "", "weight of arcs whose radius is too small"},
       {"w_dist", &P::wDist, "", "weight of the distance from the original path"},
       {"w_smooth", &P::wSmooth, "", "weight of the differences between neighbouring segments"},
@@ -159,7 +159,7 @@ std::vector<std::string> parameterErrors(const PathSmootherParameters& parameter
     return ValueErrors()
         .range("path_downsampling_factor", constrained->pathDownsamplingFactor, 1.0, 1000.0)
         .range("path_upsampling_factor", constrained->pathUpsamplingFactor, 1.0, 100.0)
-        .require(constrained->minimumTurningRadius > 0.0, "minimum_turning_radius is not above 0")
+        .require(constrained->minimumTurningRadius >= 0.0, "minimum_turning_radius is below 0")
         .require(constrained->cuspZoneLength > 0.0, "cusp_zone_length is not above 0")
         .require(constrained->costCheckPoints.size() % 3 == 0,
                  "cost_check_points is not a list of x, y, weight")
