@@ -68,6 +68,17 @@ class Nav2BranchesTest : public QObject {
                                                       "line 5: key ax_max"}));
   }
 
+  /// MPPI, which replaces TEB, has keys that only some branches read.
+  void guess_keysOfAReplacement_areNoSigns() {
+    const std::string teb =
+        "controller_server:\n  ros__parameters:\n    controller_plugins: [FollowPath]\n"
+        "    FollowPath: {plugin: \"teb_local_planner::TebLocalPlannerROS\", max_vel_x: 0.4}\n";
+    QCOMPARE(guessDistro(parsed(teb)).reasons, std::vector<std::string>());
+    const DistroGuess humble = guessDistro(parsed(teb + "    progress_checker_plugin: p\n"));
+    QCOMPARE(static_cast<int>(humble.distro), 0);
+    QCOMPARE(humble.reasons, std::vector<std::string>{"line 5: key progress_checker_plugin"});
+  }
+
   void read_partialFile_isNotAnError_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("held");

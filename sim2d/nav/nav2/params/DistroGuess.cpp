@@ -81,15 +81,30 @@ void scorePluginSpelling(const NodeParameters& node, const GivenParameter& given
   isScored = true;
 }
 
+/// Names of the parameters in the file, without their nodes.
+std::set<std::string> namesIn(const ParameterFile& file) {
+  std::set<std::string> names;
+  for (const NodeParameters& node : file.nodes()) {
+    for (const GivenParameter& given : node.given) {
+      names.insert(given.name);
+    }
+  }
+  return names;
+}
+
 /// The branches that read each key of the file, by line and path of the key. Keys that all or no
-/// branches read are no evidence.
+/// branches read are no evidence, nor are those that the replacement of a plugin supplies.
 std::map<std::pair<int, std::string>, unsigned> distrosPerKey(const ParameterFile& file) {
+  const std::set<std::string> written = namesIn(file);
   std::map<std::pair<int, std::string>, unsigned> readers;
   for (const Distro distro : kDistros) {
     Nav2ReadOptions options;
     options.distro = distro;
     options.onlyKeys = true;
     for (const KeyUsage& key : readNav2Parameters(file, options).parameters.notes.keys) {
+      if (written.count(key.path.substr(key.path.find('.') + 1)) == 0) {
+        continue;
+      }
       const bool isRead = key.use == KeyUse::Used || key.use == KeyUse::Ignored;
       readers[{key.line, key.path}] |= isRead ? 1U << static_cast<unsigned>(distro) : 0U;
     }
