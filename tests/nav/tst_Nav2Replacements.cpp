@@ -116,6 +116,21 @@ class Nav2ReplacementsTest : public QObject {
     QCOMPARE(valueAt<double>(reading, "FollowPath.AckermannConstraints.min_turning_r"), 0.6);
   }
 
+  /// Problems of these values name the file and the line of the class.
+  void controller_suppliedValues_haveThePositionOfTheClass() {
+    const Nav2ReadResult reading =
+        readOf(controllerOf("teb_local_planner::TebLocalPlannerROS", "max_vel_x: 0.4"));
+    const KeyUsage* const speed = noteOf(reading, "controller_server.FollowPath.vx_max");
+    QVERIFY(speed != nullptr);
+    QCOMPARE(speed->file, std::string("p.yaml"));
+    QCOMPARE(speed->line, 4);
+    const Nav2ReadResult foxy =
+        readOf("controller_server:\n  ros__parameters: {goal_checker_plugin: c}\n", Distro::Humble);
+    const KeyUsage* const checkers = noteOf(foxy, "controller_server.goal_checker_plugins");
+    QVERIFY(checkers != nullptr);
+    QCOMPARE(checkers->file, std::string("p.yaml"));
+  }
+
   void controller_valueFromOutside_counts() {
     ParameterFile file = parsed(controllerOf("my_robot/Follower", "max_vel_x: 0.3"));
     const Nav2ReadResult before = readNav2Parameters(file, {Distro::Jazzy, {}});

@@ -59,7 +59,7 @@ void rename(NodeReader& node, const std::string& from, const std::string& to, bo
   }
   base::YamlNode value = isList ? asList(*given->value) : *given->value;
   node.markUsed(from);
-  node.supply(to, std::move(value));
+  node.supply(to, std::move(value), given->file);
   renamed.push_back(from);
 }
 
@@ -70,12 +70,13 @@ void renameTypes(NodeReader& node, const LegacyName& old, std::vector<std::strin
     return;
   }
   const base::YamlNode classes = *types->value, ids = *names->value;
+  const std::string file = types->file;
   node.markUsed(old.from);
   renamed.emplace_back(old.from);
   for (std::size_t i = 0; i < std::min(classes.items.size(), ids.items.size()); ++i) {
     const std::string key = ids.items[i].text + ".plugin";
     if (!node.has(key)) {
-      node.supply(key, classes.items[i]);
+      node.supply(key, classes.items[i], file);
     }
   }
 }
@@ -195,7 +196,8 @@ void fillList(NodeReader& node, const AbsentList& absent) {
               absent.placeholder.empty()
                   ? base::warning("nav2.empty-list", {path, instead})
                   : base::warning("nav2.list-placeholder", {path, absent.placeholder, instead}));
-  const base::YamlNode place = *node.parameters().find(absent.name)->value;
+  const GivenParameter given = *node.parameters().find(absent.name);
+  const base::YamlNode place = *given.value;
   node.markUsed(absent.name);
   node.drop(absent.name);
   if (blocks.empty()) {
@@ -207,7 +209,7 @@ void fillList(NodeReader& node, const AbsentList& absent) {
   for (const std::string& block : blocks) {
     list.items.push_back(base::stringNode(block));
   }
-  node.supply(absent.name, std::move(list));
+  node.supply(absent.name, std::move(list), given.file);
 }
 
 }  // namespace

@@ -204,14 +204,14 @@ void NodeReader::markIgnored(const std::string& name, const std::string& why, un
   }
 }
 
-void NodeReader::supply(const std::string& name, base::YamlNode value) {
+void NodeReader::supply(const std::string& name, base::YamlNode value, std::string file) {
   const GivenParameter* const given = parameters_.find(name);
   if (given != nullptr && given->value->tag == kOverrideTag) {
     return;
   }
   drop(name);
   supplied_.push_back(std::make_shared<const base::YamlNode>(std::move(value)));
-  parameters_.given.push_back({name, supplied_.back().get(), false});
+  parameters_.given.push_back({name, supplied_.back().get(), false, std::move(file)});
 }
 
 void NodeReader::drop(const std::string& name) {

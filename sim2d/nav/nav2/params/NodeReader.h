@@ -101,8 +101,8 @@ class NodeReader {
 
   /// Sets a parameter that may be absent from the file, such as one read under an older name or
   /// required by the replacement of a plugin. Values set from outside are kept. Problems are
-  /// reported at the position of `value`.
-  void supply(const std::string& name, base::YamlNode value);
+  /// reported at the position of `value` in `file`.
+  void supply(const std::string& name, base::YamlNode value, std::string file);
   /// Removes a parameter as if the file did not contain it.
   void drop(const std::string& name);
   /// Marks a key of the file as used.

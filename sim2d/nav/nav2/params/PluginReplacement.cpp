@@ -50,8 +50,9 @@ base::YamlNode stringNodeAt(const GivenParameter* given, const std::string& text
 void setPluginClass(NodeReader& node, const std::string& key, const std::string& substitute) {
   const GivenParameter* const given = node.parameters().find(key);
   base::YamlNode value = stringNodeAt(given, substitute, node.line());
+  std::string file = given != nullptr ? given->file : node.parameters().file;
   node.markUsed(key);
-  node.supply(key, std::move(value));
+  node.supply(key, std::move(value), std::move(file));
 }
 
 /// The absolute value of the first nonzero number among `keys`; marks its key as used.
@@ -261,9 +262,12 @@ ControllerLimits controllerLimits(NodeReader& node, const std::string& prefix,
 }
 
 /// Supplies the keys of a template that the file lacks and that `counts` accepts, at the line of
-/// the replaced class.
-void addTemplate(NodeReader& node, const std::string& prefix, const std::string& yaml, int line,
-                 const std::function<bool(const std::string&)>& counts) {
+/// `key`, the replaced class.
+void addTemplate(NodeReader& node, const std::string& prefix, const std::string& yaml,
+                 const std::string& key, const std::function<bool(const std::string&)>& counts) {
+  const GivenParameter* const given = node.parameters().find(key);
+  const int line = given != nullptr ? given->value->line : node.line();
+  const std::string file = given != nullptr ? given->file : node.parameters().file;
   base::Diagnostics problems;
   base::YamlNode tree = base::parseYaml(yaml, {}, problems);
   for (base::YamlNode& value : tree.items) {
@@ -271,7 +275,7 @@ void addTemplate(NodeReader& node, const std::string& prefix, const std::string&
     if (!node.has(name) && counts(name)) {
       value.line = line;
       value.column = 0;
-      node.supply(name, std::move(value));
+      node.supply(name, std::move(value), file);
     }
   }
 }
@@ -284,8 +288,6 @@ void replaceController(NodeReader& node, const std::string& name, const std::str
   const std::string owner = node.node() + "." + key.substr(0, key.rfind(".plugin"));
   node.report(key,
               base::warning("nav2.treated-as", {owner, type, substitute.plugin, substitute.why}));
-  const GivenParameter* const given = node.parameters().find(key);
-  const int line = given != nullptr ? given->value->line : node.line();
   const ControllerLimits limits = controllerLimits(node, prefix, node.given(prefix), robot);
   setPluginClass(node, key, substitute.plugin);
   const Nav2ParameterBlock own = node.given(name + ".");
@@ -294,7 +296,7 @@ void replaceController(NodeReader& node, const std::string& name, const std::str
   const std::string yaml =
       controllerTemplate(substitute.plugin, node.distro(), limits, rate != nullptr ? *rate : 20.0);
   // Keys of critics have an effect when their critic is listed by the file or the template.
-  addTemplate(node, prefix, yaml, line, [](const std::string&) { return true; });
+  addTemplate(node, prefix, yaml, key, [](const std::string&) { return true; });
   const std::string outer = stringAt(own, "plugin").value_or(substitute.plugin);
   const ControllerType* const known = findController(outer);
   if (known == nullptr) {
@@ -305,7 +307,7 @@ void replaceController(NodeReader& node, const std::string& name, const std::str
   const auto isKey = [&](const std::string& path) {
     return keys.find(path.substr(name.size() + 1), node.distro()) != nullptr;
   };
-  addTemplate(node, prefix, yaml, line, isKey);  // replaces values of a wrong type
+  addTemplate(node, prefix, yaml, key, isKey);  // replaces values of a wrong type
 }
 
 void replaceControllers(NodeReader& node, const Nav2ParameterBlock& block,
