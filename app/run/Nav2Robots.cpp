@@ -8,6 +8,7 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/PlannerFiles.h"
+#include "bt/robot/FirstPlugins.h"
 #include "bt/robot/Nav2Files.h"
 #include "bt/robot/Nav2Servers.h"
 #include "sim2d/base/Find.h"
@@ -145,19 +146,23 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
 
 namespace {
 
-/// Trees that the files name and that do not exist.
-base::Diagnostics missingTrees(const sim2d::nav2::Nav2Parameters& parameters) {
-  base::Diagnostics missing;
+/// Trees that the files name and that do not exist; plugins that are used with Nav2's own tree.
+base::Diagnostics treeProblems(const sim2d::nav2::Nav2Parameters& parameters) {
+  base::Diagnostics problems;
   const sim2d::nav2::BtNavigatorParameters& navigator = parameters.btNavigator;
   for (const auto& [parameter, named, usual] :
        {std::tuple("default_nav_to_pose_bt_xml", navigator.defaultNavToPoseBtXml,
                    bt::kDefaultNav2Tree),
         std::tuple("default_nav_through_poses_bt_xml", navigator.defaultNavThroughPosesBtXml,
                    bt::kDefaultThroughPosesTree)}) {
-    bt::nav2TreeOfParameter(parameters, {parameter, named, usual}, {}, shippedNav2Folders(),
-                            missing);
+    const std::string file = bt::nav2TreeOfParameter(parameters, {parameter, named, usual}, {},
+                                                     shippedNav2Folders(), problems);
+    if (usual == std::string(bt::kDefaultNav2Tree) &&
+        bt::isNav2sOwnTree(file, shippedNav2Folders())) {
+      base::append(problems, bt::firstPluginWarnings(parameters));
+    }
   }
-  return missing;
+  return problems;
 }
 
 }  // namespace
@@ -172,7 +177,7 @@ base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Br
   sim2d::nav2::Nav2ReadResult reading = files.read({}, {branch, {}}, wrong);
   base::append(found, wrong);
   base::append(found, reading.problems);
-  base::append(found, missingTrees(reading.parameters));
+  base::append(found, treeProblems(reading.parameters));
   base::append(found, bt::loadNav2Lattices(reading.parameters).problems);
   base::append(found, bt::nav2Inconsistencies(reading.parameters, nullptr));
   const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);

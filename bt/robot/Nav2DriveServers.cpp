@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "bt/robot/FirstPlugins.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
@@ -18,12 +19,6 @@ using State = RobotOutcome::State;
 
 constexpr double kReplanPeriod = 1.0;  // [s], as in Nav2's default tree
 constexpr int kMostFailures = 6;       // of plans and drives to a staging pose, as in Nav2
-
-/// The first plugin of a list in the file.
-std::string firstOf(const Nav2Parameters& parameters, const char* list, const char* usual) {
-  const auto names = controllerValue<std::vector<std::string>>(parameters, list, {usual});
-  return names.empty() ? std::string() : names.front();
-}
 
 RobotRequest followRequest(const Nav2Parameters& parameters, PathId path) {
   RobotRequest request;

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bt/robot/FirstPlugins.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeUse.h"
 #include "bt/tree/TreeXml.h"
@@ -164,6 +165,10 @@ std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const TreePara
   return own;
 }
 
+bool isNav2sOwnTree(const std::string& file, const Nav2Folders& shipped) {
+  return !shipped.trees.empty() && base::startsWith(file, shipped.trees);
+}
+
 NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& parameters) {
   NavigatorTree tree;
   const base::Result<TreeFile> read = readTree(file);
@@ -315,6 +320,10 @@ Nav2Loaded loadNav2(const sim2d::Nav2Config& choice, const std::string& folder,
     loaded.problems.push_back(
         base::error("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
     return loaded;
+  }
+  if (choice.tree.empty() && isNav2sOwnTree(loaded.treeFile, shipped)) {
+    loaded.parameters.usesFirstPlugins = true;
+    base::append(loaded.problems, firstPluginWarnings(loaded.parameters));
   }
   NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);
   base::append(loaded.problems, tree.problems);

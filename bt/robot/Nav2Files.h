@@ -140,6 +140,7 @@ struct TreeParameter {
 std::string nav2TreeOfParameter(const sim2d::nav2::Nav2Parameters& parameters,
                                 const TreeParameter& parameter, const std::string& folder,
                                 const Nav2Folders& shipped, base::Diagnostics& problems);
+bool isNav2sOwnTree(const std::string& file, const Nav2Folders& shipped);
 
 NavigatorTree loadNavigatorTree(const std::string& file,
                                 const sim2d::nav2::Nav2Parameters& parameters);

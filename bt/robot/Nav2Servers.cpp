@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt/robot/FirstPlugins.h"
 #include "bt/robot/Nav2DriveServers.h"
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
@@ -222,7 +223,10 @@ std::vector<std::string> Nav2Servers::takeDockEvents() {
 
 // Actions
 
-void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
+void Nav2Servers::begin(RobotAction action, const RobotRequest& asked) {
+  const RobotRequest request = setup_.parameters.usesFirstPlugins
+                                   ? withFirstPlugins(setup_.parameters, action, asked)
+                                   : asked;
   if (isNavigation(action)) {
     beginNavigation(action, request);
     return;

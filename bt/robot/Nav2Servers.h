@@ -232,7 +232,7 @@ class Nav2Servers final : public NavigatorHost {
   TopicMessage lastMessage(const std::string& topic) const override {
     return setup_.topics.lastOf(topic, time_);
   }
-  void begin(RobotAction action, const RobotRequest& request) override;
+  void begin(RobotAction action, const RobotRequest& asked) override;
   RobotOutcome outcome(RobotAction action) const override;
   void cancel(RobotAction action) override;
   bool clear(const ClearRequest& request) override;

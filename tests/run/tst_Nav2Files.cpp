@@ -38,6 +38,7 @@ class Nav2FilesTest : public QObject {
   void tree_byItsPlaceOnTheRobot_isFound();
   void tree_thatIsNotFound_isAWarningAndNav2sOwn();
   void check_tree_thatIsNotFound_isReported();
+  void ownTree_ofOtherPlugins_usesTheFirst();
   void body_ofTheFile_isTheRobots_data();
   void body_ofTheFile_isTheRobots();
   void body_thatTheFileLacks_isAWarning();
@@ -251,6 +252,45 @@ void Nav2FilesTest::check_tree_thatIsNotFound_isReported() {
   QVERIFY2(text.find(params + ":8:39: warning: bt_navigator: default_nav_through_poses_bt_xml: "
                               "'nowhere.xml' was not found") != std::string::npos,
            text.c_str());
+}
+
+/// The tree of such a robot is unknown; Nav2's own one names other plugins.
+void Nav2FilesTest::ownTree_ofOtherPlugins_usesTheFirst() {
+  std::string text = kController;
+  text.replace(text.find("    FollowPath:"), 15,
+               "    controller_plugins: [Pursuit]\n    goal_checker_plugins: [coarse, fine]\n"
+               "    coarse: {plugin: \"nav2_controller::SimpleGoalChecker\"}\n"
+               "    fine: {plugin: \"nav2_controller::SimpleGoalChecker\"}\n    Pursuit:");
+  const std::string params =
+      write("nav/config/other_names.yaml",
+            text +
+                "planner_server:\n  ros__parameters:\n    planner_plugins: [Navfn]\n"
+                "    Navfn: {plugin: \"nav2_navfn_planner::NavfnPlanner\"}\n");
+  app::RunSpec options = optionsOf({params});
+  options.nav2Tree.clear();
+  const std::string found = textsOf(app::checkNav2Files({params}));
+  const app::Verdict verdict = verdictOf(options);
+  for (const char* const warning :
+       {":12:22: warning: planner_server: planner_plugins: Nav2's own tree names 'GridBased': "
+        "'Navfn' is used",
+        ":3:25: warning: controller_server: controller_plugins: Nav2's own tree names "
+        "'FollowPath': 'Pursuit' is used",
+        ":4:27: warning: controller_server: goal_checker_plugins: Nav2's own tree names none of "
+        "several: 'coarse' is used"}) {
+    QVERIFY2(found.find(params + warning) != std::string::npos, found.c_str());
+    QVERIFY2(allOf(verdict).find(params + warning) != std::string::npos, allOf(verdict).c_str());
+  }
+  QVERIFY(verdictOf(options, true).world == nullptr);
+  QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
+  for (int step = 0; step < 100; ++step) {
+    verdict.world->step();
+  }
+  const nlohmann::json report = nlohmann::json::parse(verdict.world->plannerReports().at(0));
+  QVERIFY2(report.at("action_failure_reasons").empty(), report.dump().c_str());
+  QVERIFY(report.at("counts").at("replans").get<int>() > 0);
+  // A tree that was chosen is run as it is.
+  const app::Verdict chosen = verdictOf(optionsOf({params}));
+  QVERIFY2(allOf(chosen).find("is used") == std::string::npos, allOf(chosen).c_str());
 }
 
 void Nav2FilesTest::body_ofTheFile_isTheRobots_data() {

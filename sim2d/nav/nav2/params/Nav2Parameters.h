@@ -54,6 +54,8 @@ struct Nav2Parameters {
   std::optional<WaypointFollowerParameters> waypointFollower;  // none: absent from the file
   std::string nodeNames;   // nodes of the file: "amcl, map_server"
   bool isPartial = false;  // without a controller, so the file alone cannot drive a robot
+  /// Nav2's own tree replaces an unknown one: for plugins that the file lacks, the first are used.
+  bool usesFirstPlugins = false;
 
   ParameterNotes notes;  // usage of every key of the file; `problems` is moved to Nav2ReadResult
 };
