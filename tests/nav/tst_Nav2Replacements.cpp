@@ -287,6 +287,40 @@ recoveries_server:
     QCOMPARE(seen.sources[0].raytraceMaxRange, 6.0);
   }
 
+  void oldNames_ofTrees_areTheirNewerNames_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("tree");
+    QTest::addColumn<QString>("read");
+    QTest::newRow("Foxy") << "default_bt_xml_filename"
+                          << "/opt/ros/foxy/share/nav2_bt_navigator/behavior_trees/"
+                             "navigate_w_replanning_and_recovery.xml"
+                          << "navigate_to_pose_w_replanning_and_recovery.xml";
+    QTest::newRow("Eloquent") << "bt_xml_filename"
+                              << "trees/mine.xml"
+                              << "trees/mine.xml";
+  }
+
+  void oldNames_ofTrees_areTheirNewerNames() {
+    QFETCH(QString, key);
+    QFETCH(QString, tree);
+    QFETCH(QString, read);
+    const std::string text =
+        kPursuit + "bt_navigator:\n  ros__parameters: {" + key.toStdString() + ": \"" +
+        tree.toStdString() +
+        "\"}\nrecoveries_server:\n  ros__parameters: {use_sim_time: true}\n"
+        "local_costmap:\n  local_costmap_client:\n    ros__parameters: {use_sim_time: true}\n"
+        "global_costmap:\n  global_costmap_client:\n    ros__parameters: {use_sim_time: true}\n";
+    const Nav2ReadResult reading = readOf(text, Distro::Humble);
+    QCOMPARE(QString::fromStdString(reading.parameters.btNavigator.defaultNavToPoseBtXml), read);
+    QCOMPARE(reading.problems.size(), std::size_t{1});
+    QCOMPARE(countOf(reading.problems, "nav2.older-branch"), 1);
+    // Since Humble the key has no effect.
+    const Nav2ReadResult humble =
+        readOf(kPursuit + "bt_navigator:\n  ros__parameters: {default_bt_xml_filename: a.xml}\n",
+               Distro::Humble);
+    QCOMPARE(humble.parameters.btNavigator.defaultNavToPoseBtXml, std::string());
+  }
+
   void oldNames_ofEloquent_nameClassesInLists() {
     const Nav2ReadResult reading = readOf(R"(controller_server:
   ros__parameters:

@@ -58,10 +58,12 @@ const std::vector<IgnoredKey>& ignoredBtNavigatorKeys() {
 }
 
 const char* ignoredNodeReason(const std::string& node) {
-  static constexpr std::array<IgnoredKey, 21> kNodes = {
+  static constexpr std::array<IgnoredKey, 23> kNodes = {
       {{"amcl", "the scenario's `localization` replaces it"},
        {"amcl_map_client", "the scenario's `localization` replaces it"},
        {"amcl_rclcpp_node", "the scenario's `localization` replaces it"},
+       {"local_costmap_client", "an infrastructure node without effect on the robot"},
+       {"global_costmap_client", "an infrastructure node without effect on the robot"},
        {"map_server", "the scenario names the map"},
        {"map_saver", "maps are not saved"},
        {"slam_toolbox", "the map is known"},

@@ -34,6 +34,10 @@ constexpr std::array<LegacyName, 5> kLegacyTypes = {
      {"recoveries_server", "plugin_types", "plugin_names"},
      {"local_costmap", "plugin_types", "plugin_names"},
      {"global_costmap", "plugin_types", "plugin_names"}}};
+/// Files of navigator trees, in files of branches before Humble.
+constexpr std::array<const char*, 2> kLegacyTrees = {"default_bt_xml_filename", "bt_xml_filename"};
+constexpr const char* kLegacyTree = "navigate_w_replanning_and_recovery.xml";
+constexpr const char* kTreeSinceHumble = "navigate_to_pose_w_replanning_and_recovery.xml";
 /// Suffixes of the keys of an observation source.
 constexpr std::array<std::pair<const char*, const char*>, 2> kLegacyRanges = {
     {{".obstacle_range", ".obstacle_max_range"}, {".raytrace_range", ".raytrace_max_range"}}};
@@ -100,6 +104,25 @@ void renameRanges(NodeReader& node, std::vector<std::string>& renamed) {
   }
   for (const auto& [from, to] : found) {
     rename(node, from, to, false, renamed);
+  }
+}
+
+/// Foxy's default tree has another name since Humble.
+void renameTrees(NodeReader& node, std::vector<std::string>& renamed) {
+  constexpr const char* kKey = "default_nav_to_pose_bt_xml";
+  for (const char* const old : kLegacyTrees) {
+    const GivenParameter* const given = node.parameters().find(old);
+    if (given == nullptr || node.has(kKey)) {
+      continue;
+    }
+    base::YamlNode value = *given->value;
+    if (base::endsWith(value.text, kLegacyTree)) {
+      value.text = kTreeSinceHumble;
+    }
+    std::string file = given->file;
+    node.markUsed(old);
+    node.supply(kKey, std::move(value), std::move(file));
+    renamed.emplace_back(old);
   }
 }
 
@@ -228,6 +251,9 @@ void renameLegacyKeys(NodeReader& node, bool isPreHumble) {
   }
   if (isPreHumble && (node.node() == "local_costmap" || node.node() == "global_costmap")) {
     renameRanges(node, renamed);
+  }
+  if (isPreHumble && node.node() == "bt_navigator") {
+    renameTrees(node, renamed);
   }
   if (!renamed.empty()) {
     node.report(renamed.front(),
