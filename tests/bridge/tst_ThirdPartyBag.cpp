@@ -14,6 +14,7 @@
 #include "app/bridge/messages/hunav_msgs.h"
 #include "app/bridge/messages/nav_msgs.h"
 #include "app/bridge/messages/people_msgs.h"
+#include "app/bridge/topics/RunMessages.h"
 #include "app/run/RecordedRun.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
@@ -139,6 +140,56 @@ class ForeignBagTest : public QObject {
     QVERIFY(std::find(parameters.begin(), parameters.end(),
                       std::pair<std::string, double>("goal_force_factor", 2.0)) !=
             parameters.end());
+  }
+
+  /// Each of an agent's factors is read; of the metrics only forces on people depend on one of
+  /// them.
+  void evaluate_eachFactor_changesItsMetrics_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("changed");
+    QTest::newRow("social") << QStringLiteral("social_force_factor")
+                            << QStringLiteral(
+                                   "social_force_on_agents social_force_on_agents_mean "
+                                   "social_work social_work_mean");
+    QTest::newRow("obstacle") << QStringLiteral("obstacle_force_factor") << QString();
+    QTest::newRow("goal") << QStringLiteral("goal_force_factor") << QString();
+    QTest::newRow("other") << QStringLiteral("other_force_factor") << QString();
+  }
+
+  void evaluate_eachFactor_changesItsMetrics() {
+    QFETCH(const QString, key);
+    QFETCH(const QString, changed);
+    const auto* const factor =
+        std::find_if(std::begin(kBehaviorParameters), std::end(kBehaviorParameters),
+                     [&](const BehaviorParameter& each) { return each.key == key.toStdString(); });
+    QVERIFY(factor != std::end(kBehaviorParameters));
+    const auto measuredWith = [&](float value) {
+      writeWrapper(path("factors.mcap"), [&](int, auto& people, auto&) {
+        for (hunav_msgs::Agent& agent : people.agents) {
+          agent.behavior.socialForceFactor = 5.0F;
+          agent.behavior.goalForceFactor = 2.0F;
+          agent.behavior.obstacleForceFactor = 10.0F;
+          agent.behavior.otherForceFactor = 20.0F;
+          agent.behavior.*factor->member = value;
+        }
+      });
+      return measured(path("factors.mcap"));
+    };
+    const Measured weak = measuredWith(3.0F);
+    const Measured strong = measuredWith(30.0F);
+    const std::pair<std::string, double> wanted(key.toStdString(), 30.0);
+    for (const sim2d::TraceHuman& human : strong.trace->header.humans) {
+      QCOMPARE(std::count(human.parameters.begin(), human.parameters.end(), wanted),
+               std::ptrdiff_t{1});
+    }
+    QStringList different;
+    for (const auto& each : weak.values) {
+      const char* const metric = each.first.c_str();
+      if (!isClose(weak.value(metric), strong.value(metric))) {
+        different << QString::fromStdString(each.first);
+      }
+    }
+    QCOMPARE(different.join(QLatin1Char(' ')), changed);
   }
 
   /// State and group of each message, not of the first alone.
