@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,25 @@ class ScanReader : public Planner {
 
  private:
   std::vector<double>& times_;
+};
+
+/// Drives ahead; notes whether it was ever given a number that is not finite.
+class FiniteReader : public Planner {
+ public:
+  explicit FiniteReader(bool& isFinite) : isFinite_(isFinite) {}
+  base::Result<BodyTwist> command(const Observation& observation) override {
+    const Pose2& pose = observation.pose;
+    const BodyTwist& motion = observation.motion;
+    isFinite_ = isFinite_ && pose.position.allFinite() && std::isfinite(pose.heading) &&
+                std::isfinite(motion.linear) && std::isfinite(motion.angular);
+    for (const TrackedBody& body : observation.bodies) {
+      isFinite_ = isFinite_ && body.position.allFinite() && body.velocity.allFinite();
+    }
+    return BodyTwist{0.5, 0.0};
+  }
+
+ private:
+  bool& isFinite_;
 };
 
 }  // namespace
@@ -473,6 +493,53 @@ class RobotSensesTest : public QObject {
       QVERIFY(std::fabs(times[0] - 40 * kStep) < 1e-9);
       QVERIFY(std::fabs(times[1] - 42 * kStep) < 1e-9);
     }
+  }
+
+  void step_valuesThatAreNotFinite_endTheRun_data() {
+    addColumns<int>({"sensor"});
+    QTest::newRow("detector") << 0;
+    QTest::newRow("detector, filtered") << 1;
+    QTest::newRow("position") << 2;
+    QTest::newRow("heading") << 3;
+    QTest::newRow("odometry") << 4;
+  }
+
+  /// Where they arise; the planner is not called with them. The ranges of scenario files exclude
+  /// such settings.
+  void step_valuesThatAreNotFinite_endTheRun() {
+    QFETCH(int, sensor);
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    bool isFinite = true;
+    auto own = std::make_shared<Registries>(builtinRegistries());
+    own->planners.add("finite_reader", {}, [&isFinite](const PlannerSetup& /*setup*/) {
+      return base::Result<std::shared_ptr<Planner>>(std::make_shared<FiniteReader>(isFinite));
+    });
+    Scenario scenario;
+    addPerson(scenario, 1, Vec2(4.0, 1.0));
+    Robot& robot = addRobot(scenario, Vec2(0.0, 0.0), Vec2(8.0, 0.0));
+    robot.planner = "finite_reader";
+    if (sensor <= 1) {
+      robot.detector.noise = kInfinite;
+      robot.detector.velocities =
+          sensor == 1 ? TrackVelocities::Filtered : TrackVelocities::Measured;
+    } else if (sensor == 2) {
+      robot.localization.stdX = kInfinite;
+    } else if (sensor == 3) {
+      robot.localization.stdYaw = kInfinite;
+    } else {
+      robot.odometryNoise.alpha3 = kInfinite;
+    }
+    WorldSetup setup = setupOf(scenario);
+    setup.registries = own;
+    const auto world = make(std::move(setup));
+    int steps = 0;
+    while (steps < 40 && world->step()) {
+      ++steps;
+    }
+    QVERIFY(steps < 40);
+    QVERIFY(isFinite);
+    QCOMPARE(QString::fromStdString(world->failure()),
+             QStringLiteral("robot 'robot1': its sensor values are not finite"));
   }
 
   void create_badSensors_isRefused_data() {
