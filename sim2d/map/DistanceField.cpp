@@ -293,6 +293,7 @@ bool DistanceField::isSolid(Cell cell) const {
 /// Seen from outside the grid, the nearest wall cell is always the first or last one of its row or
 /// column.
 void DistanceField::findBorder() {
+  std::vector<Cell> left, right;
   std::vector<int> lowest(static_cast<std::size_t>(grid_.width()), -1);
   std::vector<int> highest = lowest;
   for (int row = 0; row < grid_.height(); ++row) {
@@ -309,15 +310,20 @@ void DistanceField::findBorder() {
       }
     }
     if (first >= 0) {
-      border_.insert(border_.end(), {{first, row}, {last, row}});
+      left.push_back({first, row});
+      right.push_back({last, row});
     }
   }
-  for (int column = 0; column < grid_.width(); ++column) {
-    const auto at = static_cast<std::size_t>(column);
-    if (lowest[at] >= 0) {
-      border_.insert(border_.end(), {{column, lowest[at]}, {column, highest[at]}});
+  std::vector<Cell> cells = std::move(left);
+  cells.insert(cells.end(), right.begin(), right.end());
+  for (const std::vector<int>& rows : {lowest, highest}) {
+    for (int column = 0; column < grid_.width(); ++column) {
+      if (const int row = rows[static_cast<std::size_t>(column)]; row >= 0) {
+        cells.push_back({column, row});
+      }
     }
   }
+  border_.build(std::move(cells));
 }
 
 /// On a large map per block of cells: line checks may then need more samples, with the same result.
@@ -362,17 +368,7 @@ double DistanceField::unknownDistance(Cell cell) const {
 
 std::size_t DistanceField::bytes() const {
   const std::size_t kept = lazy_ != nullptr ? lazy_->bytes() : distance_.bytes();
-  return kept + sizeof(float) * toUnknown_.capacity() + sizeof(Cell) * border_.capacity();
-}
-
-double DistanceField::outsideDistance(const Vec2& corner) const {
-  double best = std::numeric_limits<double>::infinity();
-  for (const Cell cell : border_) {
-    const double x = std::max(0.0, std::fabs(corner.x() - cell.column - 0.5) - 0.5);
-    const double y = std::max(0.0, std::fabs(corner.y() - cell.row - 0.5) - 0.5);
-    best = std::min(best, x * x + y * y);
-  }
-  return std::sqrt(best) * grid_.resolution();
+  return kept + sizeof(float) * toUnknown_.capacity() + border_.bytes();
 }
 
 double DistanceField::distanceAt(Cell cell) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim2d/base/StopFlag.h"
+#include "sim2d/map/BorderCells.h"
 #include "sim2d/map/CellDistances.h"
 #include "sim2d/map/Obstacles.h"
 
@@ -45,6 +46,10 @@ class DistanceField {
   bool isOpenPlane() const { return isOpenPlane_; }  // no map: free beyond the grid
   double distanceAt(Cell cell) const;                // outside: to the nearest wall in the grid
   double distanceAt(const Vec2& point) const;        // bilinear
+  /// From a position outside the grid [cells, from its corner]; `examined`: see `BorderCells`.
+  double outsideDistance(const Vec2& corner, std::size_t* examined = nullptr) const {
+    return border_.distance(corner, examined) * grid_.resolution();
+  }
   /// [cells] from the cell centre to the nearest unknown cell: 0 inside, infinite if all cells are
   /// known. On a large map a lower bound for any point of the cell.
   double unknownDistance(Cell cell) const;
@@ -73,7 +78,6 @@ class DistanceField {
   bool isSolid(Cell cell) const;
   void findBorder();
   void measureUnknown();
-  double outsideDistance(const Vec2& corner) const;
 
   base::StopFlagPtr stop_;
   OccupancyGrid grid_;
@@ -82,7 +86,7 @@ class DistanceField {
   CellDistances distance_;  // [m]; empty if lazy_ is set
   std::unique_ptr<const LazyDistances> lazy_;
   std::vector<float> toUnknown_;  // [cells] per cell; on a large map [blocks] per block
-  std::vector<Cell> border_;      // wall cells next to free ones, for positions outside the grid
+  BorderCells border_;            // wall cells that can be the nearest ones from outside the grid
 };
 
 /// Marks the cells of `grid` (row-major, 1 = marked) that enabled obstacles cover: cells whose

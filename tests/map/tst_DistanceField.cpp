@@ -122,6 +122,47 @@ class DistanceFieldTest : public QObject {
     }
   }
 
+  /// A square with a ragged border, from places all round: against all its walls, and how many
+  /// cells and boxes are examined, of more and more cells.
+  void outsideDistance_longBorder_examinesFew() {
+    for (const int side : {100, 400, 1600}) {
+      std::vector<std::int8_t> cells(
+          static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
+      std::vector<Cell> walls;
+      unsigned draw = 11;
+      const auto add = [&](int column, int row) {
+        cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+              static_cast<std::size_t>(column)] = 100;
+        walls.push_back({column, row});
+      };
+      for (int k = 0; k < side; ++k) {
+        draw = draw * 1664525U + 1013904223U;
+        const int depth = static_cast<int>(draw >> 30U);  // 0 to 3 cells
+        add(k, depth);
+        add(k, side - 1 - depth);
+        add(depth, k);
+        add(side - 1 - depth, k);
+      }
+      const DistanceField field(OccupancyGrid(side, side, 0.1, {}, cells), Obstacles());
+      std::size_t most = 0;
+      for (int k = 0; k < 90; ++k) {
+        const double angle = k * base::kPi / 45.0;
+        const Vec2 place = Vec2::Constant(0.5 * side) +
+                           (0.8 + 0.1 * k) * side * Vec2(std::cos(angle), std::sin(angle));
+        double least = 1e9;
+        for (const Cell wall : walls) {
+          const Vec2 low(wall.column, wall.row);
+          least =
+              std::min(least, (place - place.cwiseMax(low).cwiseMin(low + Vec2::Ones())).norm());
+        }
+        std::size_t examined = 0;
+        QVERIFY(std::fabs(field.outsideDistance(place, &examined) - 0.1 * least) < 1e-9 * side);
+        most = std::max(most, examined);
+      }
+      QVERIFY2(most < 250, QByteArray::number(static_cast<int>(most)).constData());
+    }
+  }
+
   void distanceAt_withoutWalls_isInfinite() {
     const DistanceField field(emptyGrid(4, 4, 0.1), Obstacles());
     QVERIFY(std::isinf(field.distanceAt(Cell{1, 1})));
