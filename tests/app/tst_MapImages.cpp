@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include <QBuffer>
 #include <QImage>
 #include <QImageReader>
 #include <QTemporaryDir>
@@ -30,6 +33,49 @@ int valueOf(const QImage& image, const char* rule, const char* format = "png",
   image.save(folder.filePath(name), format);
   const auto map = app::readMapFile(file.fileName().toStdString(), rule, editor::loadMapImage);
   return map ? map->grid.valueAt({0, 0}) : -100;
+}
+
+QByteArray bigEndian(quint32 value, int bytes) {
+  QByteArray text;
+  for (int k = bytes - 1; k >= 0; --k) {
+    text.append(static_cast<char>(value >> (8 * k) & 0xFFU));
+  }
+  return text;
+}
+
+/// The check of a chunk of PNG (CRC-32).
+quint32 checkOf(const QByteArray& chunk) {
+  quint32 crc = 0xFFFFFFFFU;
+  for (const char byte : chunk) {
+    crc ^= static_cast<quint8>(byte);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc & 1U) != 0 ? crc >> 1U ^ 0xEDB88320U : crc >> 1U;
+    }
+  }
+  return ~crc;
+}
+
+/// An image of one pixel whose header declares another size.
+QByteArray declaring(quint32 width, quint32 height, const char* format) {
+  QImage image(1, 1, QImage::Format_Grayscale8);
+  image.fill(0);
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, format);
+  QByteArray bytes = buffer.data();
+  if (QByteArray(format) == "png") {
+    const int chunk = bytes.indexOf("IHDR");
+    bytes.replace(chunk + 4, 8, bigEndian(width, 4) + bigEndian(height, 4));
+    bytes.replace(chunk + 17, 4, bigEndian(checkOf(bytes.mid(chunk, 17)), 4));
+  } else if (QByteArray(format) == "jpg") {
+    const int frame = bytes.indexOf("\xFF\xC0");
+    bytes.replace(frame + 5, 4, bigEndian(height, 2) + bigEndian(width, 2));
+  } else {
+    QByteArray size = bigEndian(height, 4) + bigEndian(width, 4);  // of a BMP, in the other order
+    std::reverse(size.begin(), size.end());
+    bytes.replace(18, 8, size);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -120,6 +166,37 @@ class MapImagesTest : public QObject {
           format.toStdString() + " images cannot be read: save it as one of PGM, PNG";
       QVERIFY2(text.find(wanted) != std::string::npos, text.c_str());
     }
+  }
+
+  /// Before any pixel is read.
+  void tooManyPixels_areRefusedByTheHeader_data() {
+    QTest::addColumn<QByteArray>("format");
+    for (const char* const format : {"png", "jpg", "bmp"}) {
+      QTest::newRow(format) << QByteArray(format);
+    }
+  }
+  void tooManyPixels_areRefusedByTheHeader() {
+    QFETCH(QByteArray, format);
+    QTemporaryDir folder;
+    QString yaml = QString::fromLatin1(kYaml);
+    const auto messageOf = [&](quint32 width, quint32 height) {
+      const auto write = [&](const QString& name, const QByteArray& bytes) {
+        QFile to(folder.filePath(name));
+        return to.open(QIODevice::WriteOnly) && to.write(bytes) == bytes.size();
+      };
+      const bool isWritten = write(QStringLiteral("map.yaml"), yaml.toUtf8()) &&
+                             write(QStringLiteral("map.png"), declaring(width, height, format));
+      const auto map = app::readMapFile(folder.filePath(QStringLiteral("map.yaml")).toStdString(),
+                                        "humble", editor::loadMapImage);
+      return isWritten && !map ? QString::fromStdString(map.diagnostics().front().message)
+                               : QString();
+    };
+    const QString told = messageOf(12000, 10000);
+    QVERIFY2(
+        told.endsWith(QStringLiteral("map.png': the image of 12000 x 10000 pixels is too large "
+                                     "(at most 100000000 pixels; scale it down)")),
+        qPrintable(told));
+    QCOMPARE(messageOf(1, 1), QString());
   }
 
   /// A colour image takes four values per pixel, a grey one a quarter of that; rows stay in order.
