@@ -228,14 +228,21 @@ std::string serializeRow(const ResultRow& row) {
   return base::jsonText(RowJson(row), -1);
 }
 
-ResultRow parseRow(const std::string& text) {
+std::optional<ResultRow> tryParseRow(const std::string& text) {
   try {
     return RowJson::parse(base::shallowJson(text)).get<ResultRow>();
   } catch (const RowJson::exception&) {
-    ResultRow row;
-    row.reason = "the worker process returned no result";
-    return row;
+    return std::nullopt;
   }
+}
+
+ResultRow parseRow(const std::string& text) {
+  std::optional<ResultRow> row = tryParseRow(text);
+  if (!row) {
+    row.emplace();
+    row->reason = "the worker process returned no result";
+  }
+  return *std::move(row);
 }
 
 }  // namespace app

@@ -93,8 +93,9 @@ ResultRow rowOf(const FinishedRun& run);
 /// The row of a run that could not start, with the first error as reason.
 ResultRow rowOf(const base::Diagnostics& problems);
 
-/// Serialisation as one line of JSON; invalid text yields a failed row.
+/// Serialisation as one line of JSON. Invalid text: nullopt, or with `parseRow` a failed row.
 std::string serializeRow(const ResultRow& row);
+std::optional<ResultRow> tryParseRow(const std::string& text);
 ResultRow parseRow(const std::string& text);
 
 }  // namespace app

@@ -31,19 +31,25 @@ std::string headerLine() {
       -1);
 }
 
-std::string programOf(const Json& header) {
-  return header.value("version", "") + " (" + header.value("commit", "") + ")";
+/// "1.0.0 (0123abcd)"; nullopt if the header does not say it.
+std::optional<std::string> programOf(const Json& header) {
+  const Json version = header.value("version", Json()), commit = header.value("commit", Json());
+  return version.is_string() && commit.is_string()
+             ? std::optional(version.get<std::string>() + " (" + commit.get<std::string>() + ")")
+             : std::nullopt;
 }
 
 /// The problems of the first line of a journal.
 base::Diagnostics headerProblems(const std::string& line, const std::string& path) {
   const Json header = Json::parse(base::shallowJson(line), nullptr, false);
-  if (!header.is_object() || header.value(kFormat, Json()) != Json(kFormatVersion)) {
+  const bool isHeader = header.is_object() && header.value(kFormat, Json()) == Json(kFormatVersion);
+  const std::optional<std::string> was = isHeader ? programOf(header) : std::nullopt;
+  if (!was) {
     return {base::error("study.no-journal", {}, path, 1)};
   }
-  const std::string was = programOf(header), now = programOf(Json::parse(headerLine()));
-  return was == now ? base::Diagnostics()
-                    : base::Diagnostics{base::error("study.other-program", {was, now}, path, 1)};
+  const std::string now = *programOf(Json::parse(headerLine()));
+  return *was == now ? base::Diagnostics()
+                     : base::Diagnostics{base::error("study.other-program", {*was, now}, path, 1)};
 }
 
 /// The file that changed during a run; null: none has.
@@ -133,8 +139,11 @@ void RunPool::addLine(const std::string& line, std::map<std::string, std::string
       !entry.contains("row")) {
     return;
   }
-  ResultRow row = parseRow(base::jsonText(entry["row"], -1));
-  for (const InputHash& input : row.inputs) {
+  std::optional<ResultRow> row = tryParseRow(base::jsonText(entry["row"], -1));
+  if (!row) {
+    return;
+  }
+  for (const InputHash& input : row->inputs) {
     const auto [found, isNew] = hashes.try_emplace(input.path);
     if (isNew) {
       found->second = sha256OfFile(input.path).value_or("");
@@ -143,7 +152,7 @@ void RunPool::addLine(const std::string& line, std::map<std::string, std::string
       return;
     }
   }
-  known_[entry["key"].get<std::string>()] = std::move(row);
+  known_[entry["key"].get<std::string>()] = *std::move(row);
 }
 
 base::Diagnostics RunPool::store(const std::string& key, const ResultRow& row) {

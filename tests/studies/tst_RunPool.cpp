@@ -140,6 +140,40 @@ class RunPoolTest : public QObject {
     QCOMPARE(codeOf(app::RunPool::open(options()).diagnostics()), std::string("study.no-journal"));
   }
 
+  /// JSON that is no header or result: the first is refused, of the others only that run is
+  /// executed again.
+  void journal_otherJson_isNoHeaderOrResult() {
+    std::vector<std::string> results;
+    {
+      const auto pool = app::RunPool::open(options());
+      results = textsOf(*(*pool)->run({requestOf(kCafe, 1), requestOf(kCafe, 2)}));
+    }
+    const std::vector<std::string> lines = base::split(*base::readTextFile(at("journal")), '\n');
+    QVERIFY(lines.size() >= 3);
+    const auto write = [&](const std::string& header, const std::string& second) {
+      base::writeFileAtomically(at("journal"), header + "\n" + lines[1] + "\n" + second + "\n");
+    };
+    for (const char* const header :
+         {R"({"hunavsim_journal": 1, "version": 5, "commit": "x"})",
+          R"({"hunavsim_journal": 1, "version": "1", "commit": null})",
+          R"({"hunavsim_journal": 1e999})", R"({"hunavsim_journal": "1"})", "[1]", "null", "{"}) {
+      write(header, lines[2]);
+      QCOMPARE(codeOf(app::RunPool::open(options()).diagnostics()),
+               std::string("study.no-journal"));
+    }
+    const std::string key = lines[2].substr(0, lines[2].find("\"row\":"));
+    for (const char* const row :
+         {"{}", "[]", "7", "null", "\"text\"", R"({"ok": "yes"})", "1e999"}) {
+      write(lines[0], key + "\"row\":" + row + "}");
+      const auto pool = app::RunPool::open(options());
+      QVERIFY2(bool(pool), row);
+      const auto rows = (*pool)->run({requestOf(kCafe, 1), requestOf(kCafe, 2)});
+      QVERIFY2(bool(rows), row);
+      QCOMPARE((*pool)->executed(), std::size_t{1});
+      QCOMPARE(textsOf(*rows), results);
+    }
+  }
+
   void stop_keepsWhatHasEnded_andResumes() {
     std::size_t ended = 0;
     app::RunPoolOptions stopped = options();
