@@ -24,6 +24,8 @@ class ConvertProgramTest : public QObject {
   void convert_nativeOfNative_isByteIdentical();
   void convert_gapsAndNames_areMended();
   void convert_ownTree_followsTheNewGoalNumbers();
+  void convert_otherInTheOriginal_isTold_data();
+  void convert_otherInTheOriginal_isTold();
   void convert_whatOnlyWeHave_isListed();
   void convert_withoutMap_startsAWorldThatIsThere_data();
   void convert_withoutMap_startsAWorldThatIsThere();
@@ -226,6 +228,56 @@ void ConvertProgramTest::convert_ownTree_followsTheNewGoalNumbers() {
   QCOMPARE(attributesIn(bytesOf(tree), "observer_id"), QStringList{text("1")});
   QVERIFY(attributesIn(bytesOf(tree), "agent_id").contains(text("{id}")));
   QVERIFY2(found.err.contains(text("WanderInArea")), qPrintable(found.err));
+}
+
+/// Each row of the table of differences (bt/engine/README.md) that `check` notes.
+void ConvertProgramTest::convert_otherInTheOriginal_isTold_data() {
+  QTest::addColumn<QByteArray>("trees");
+  QTest::addColumn<QString>("told");
+  const auto row = [](const char* name, const char* trees, const char* told) {
+    QTest::newRow(name) << QByteArray(trees) << text(told);
+  };
+  row("clock", "<BehaviorTree ID='T'>\n<Delay delay_msec='500'>GOTO</Delay></BehaviorTree>",
+      ": info: Delay, Timeout and Sleep use the system clock in BehaviorTree.CPP");
+  row("stale",
+      "<BehaviorTree ID='T'>\n<IfThenElse>GOTO<AlwaysSuccess/></IfThenElse></BehaviorTree>",
+      ":3: warning: T: IfThenElse: in BehaviorTree.CPP the condition of an IfThenElse with two "
+      "children is not reset");
+  row("emptied",
+      "<BehaviorTree ID='T'><Sequence>\n<Script code='k := 1'/>\n"
+      "<SetBlackboard value='5' output_key='k'/>GOTO</Sequence></BehaviorTree>",
+      ":4: warning: T: SetBlackboard: BehaviorTree.CPP may leave 'k' without a value");
+  row("kept",
+      "<BehaviorTree ID='T'><Sequence>\n<SubTree ID='Sub' x='{a}'/>\n<UnsetBlackboard key='a'/>GOTO"
+      "</Sequence></BehaviorTree><BehaviorTree ID='Sub'><Script code='x := 1'/></BehaviorTree>",
+      ":4: warning: T: UnsetBlackboard: in BehaviorTree.CPP a SubTree that received 'a' keeps it");
+  row("refused",
+      "<BehaviorTree ID='T'><SubTree ID='Sub' x='7' id='{id}' dt='{dt}'/></BehaviorTree>\n"
+      "<BehaviorTree ID='Sub'><Sequence>\n"
+      "<StopAndWaitTimerAction agent_id='{id}' wait_duration='{x}'/>GOTO</Sequence></BehaviorTree>",
+      ":4: warning: Sub: StopAndWaitTimerAction: BehaviorTree.CPP 4.10 rejects the file: port "
+      "'wait_duration' is double, but {x} is int");
+  row("shared",
+      "<BehaviorTree ID='T'><Sequence><LoopInt queue='{q}' value='{v}'><AlwaysSuccess/></LoopInt>\n"
+      "<SetBlackboard value='{q}' output_key='m'/>GOTO</Sequence></BehaviorTree>",
+      ":3: warning: T: SetBlackboard: in BehaviorTree.CPP 'q' and its copy share one queue");
+  row("nothing", "<BehaviorTree ID='T'><Sequence>GOTO</Sequence></BehaviorTree>", "");
+}
+
+void ConvertProgramTest::convert_otherInTheOriginal_isTold() {
+  QFETCH(QByteArray, trees);
+  QFETCH(QString, told);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(text("odd.yaml"));
+  const QString tree = folder.filePath(text("odd__agent_7_bt.xml"));
+  writeText(path, kOdd);
+  trees.replace("GOTO", "<GoTo agent_id='{id}' goal_id='5' time_step='{dt}'/>");
+  writeText(tree, "<root BTCPP_format='4' main_tree_to_execute='T'>\n" + trees + "</root>\n");
+  const Finished found = convert(path, folder.filePath(text("out")), "gazebo-classic");
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const int count = found.err.count(text("BehaviorTree.CPP"));
+  QVERIFY2(count == (told.isEmpty() ? 0 : 1), qPrintable(found.err));
+  QVERIFY2(told.isEmpty() || found.err.contains(tree + told), qPrintable(found.err));
 }
 
 void ConvertProgramTest::convert_whatOnlyWeHave_isListed() {
