@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
@@ -159,7 +161,9 @@ std::optional<Distro> distroFromName(const std::string& word) {
   return std::nullopt;
 }
 
-DistroGuess guessDistro(const ParameterFile& file) {
+namespace {
+
+DistroGuess scoredGuess(const ParameterFile& file) {
   DistroScores scores;
   bool isPluginScored = false;
   std::set<std::string> seen;  // a node in two namespaces counts once
@@ -176,6 +180,21 @@ DistroGuess guessDistro(const ParameterFile& file) {
   }
   scoreKeys(file, scores);
   return scores.guess();
+}
+
+}  // namespace
+
+DistroGuess guessDistro(const ParameterFile& file) {
+  // Five readings of the file, which a batch repeats in each run.
+  constexpr std::size_t kKept = 16;
+  thread_local std::map<std::vector<std::shared_ptr<const base::YamlNode>>, DistroGuess> guesses;
+  if (const auto found = guesses.find(file.trees()); found != guesses.end()) {
+    return found->second;
+  }
+  if (guesses.size() >= kKept) {
+    guesses.clear();
+  }
+  return guesses.emplace(file.trees(), scoredGuess(file)).first->second;
 }
 
 }  // namespace sim2d::nav2

@@ -78,7 +78,20 @@ base::Result<ParameterFile> ParameterFile::parse(std::string_view text, const st
 
 base::Result<ParameterFile> ParameterFile::read(const std::string& path) {
   const base::Result<std::string> text = base::readTextFile(path);
-  return text ? parse(*text, path) : base::Result<ParameterFile>(text.diagnostics());
+  if (!text) {
+    return text.diagnostics();
+  }
+  // A batch reads the same files several times per run.
+  constexpr std::size_t kKept = 16;
+  thread_local std::map<std::pair<std::string, std::string>, base::Result<ParameterFile>> parsed;
+  const auto key = std::make_pair(path, *text);
+  if (const auto found = parsed.find(key); found != parsed.end()) {
+    return found->second;
+  }
+  if (parsed.size() >= kKept) {
+    parsed.clear();
+  }
+  return parsed.emplace(key, parse(*text, path)).first->second;
 }
 
 std::vector<const NodeParameters*> ParameterFile::nodesOf(std::string_view node,

@@ -55,6 +55,8 @@ class ParameterFile {
   /// `ros__parameters`, or with a misspelling of it, is read with a warning.
   static base::Result<ParameterFile> parse(std::string_view text, const std::string& file);
   static base::Result<ParameterFile> read(const std::string& path);
+  /// Identifies the content: equal for files that share it, such as a file that is read twice.
+  const std::vector<std::shared_ptr<const base::YamlNode>>& trees() const { return trees_; }
 
   /// The first file, or empty; all files in order.
   std::string file() const { return files_.empty() ? std::string() : files_.front(); }
