@@ -5,8 +5,9 @@
 #include "sim2d/base/Text.h"
 #include "tests/bench/FastestOf.h"
 
-/// Whole runs of `crossing_agents` with the controllers of Nav2 beside `pursuit`: simulated time
-/// per wall time, on one thread. Goals on an idle core: MPPI 60, DWB 150, RPP 300.
+/// Whole runs of `crossing_agents` with files of Nav2 beside `pursuit`: simulated time per
+/// processor time, with all metrics and without files. Goals on an idle core: MPPI (turtlebot4) 60,
+/// DWB (turtlebot3) 150, Regulated Pure Pursuit 300.
 class PlannerRunsBench : public QObject {
   Q_OBJECT
 
@@ -18,15 +19,17 @@ class PlannerRunsBench : public QObject {
 void PlannerRunsBench::run_inTheCrossing_data() {
   QTest::addColumn<QString>("values");
   QTest::newRow("pursuit") << QStringLiteral("[pursuit]");
-  for (const char* controller : {"mppi", "dwb", "rpp"}) {
-    QTest::newRow(controller)
+  for (const char* file :
+       {"resources/nav2_params/turtlebot4", "resources/nav2_params/turtlebot3",
+        "maps/planners/nav2_mppi", "maps/planners/nav2_dwb", "maps/planners/nav2_rpp"}) {
+    QTest::newRow(file)
         << QStringLiteral(
                "[nav2]\n"
                "  robot1.nav2_params: [" SOURCE_DIR
-               "/maps/planners/nav2_%1.yaml]\n"
+               "/%1.yaml]\n"
                "  robot1.nav2_tree: [" SOURCE_DIR
                "/resources/nav2_trees/jazzy/navigate_to_pose_w_replanning_and_recovery.xml]")
-               .arg(QLatin1String(controller));
+               .arg(QLatin1String(file));
   }
 }
 

@@ -234,6 +234,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   configuredLayout(new QVBoxLayout(body), {}, 0, {runState_, later_})->addWidget(stack_, 1);
   auto* low = scrollArea(body, this);  // In low windows the run state uses all of the height.
   low->setMinimumHeight(kMinBody);
+  low->setFocusPolicy(Qt::NoFocus);  // the areas of the pages have the focus
   auto* layout = configuredLayout(new QVBoxLayout(this), {}, 0);
   layout->addLayout(top);
   layout->addWidget(kinds_);
