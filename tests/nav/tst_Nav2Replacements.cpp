@@ -362,6 +362,28 @@ global_costmap:
   }
 
   void placeholder_ofLaunchFiles_isAbsent() {
+  /// Iron's file has the keys of Jazzy, but the corners as numbers.
+  void points_ofIron_areReadAsText() {
+    const std::string text = kPursuit +
+                             "collision_monitor:\n  ros__parameters:\n    polygons: [Stop]\n"
+                             "    Stop:\n      {type: polygon, action_type: stop, min_points: 4,\n"
+                             "       points: [0.4, 0.35, 0.4, -0.3, -0.2, 0.0]}\n";
+    const Nav2ReadResult jazzy = readOf(text, Distro::Jazzy);
+    QVERIFY2(jazzy.ok(), texts(jazzy.problems).c_str());
+    QCOMPARE(jazzy.problems.size(), std::size_t{1});
+    const base::Diagnostic& problem = jazzy.problems.front();
+    QCOMPARE(problem.code, std::string_view("nav2.points-of-iron"));
+    QCOMPARE(problem.file, std::string("p.yaml"));
+    QCOMPARE(problem.line, 10);
+    QCOMPARE(jazzy.parameters.collisionMonitor->shapes.at(0).points,
+             std::string("[[0.4, 0.35], [0.4, -0.3], [-0.2, 0.0]]"));
+    const Nav2ReadResult humble = readOf(text, Distro::Humble);
+    QCOMPARE(humble.parameters.collisionMonitor->shapes.at(0).pointList.size(), std::size_t{6});
+    QVERIFY(!problemOf(humble.problems, "nav2.points-of-iron"));
+    const std::string whole = text.substr(0, text.find("0.4, 0.35")) + "1, 0, 0, 1, 1, 1]}\n";
+    QVERIFY(!readOf(whole, Distro::Jazzy).ok());
+  }
+
     const Nav2ReadResult reading = readOf(kPursuit + R"yaml(    controller_frequency: $(var rate)
 local_costmap:
   local_costmap:

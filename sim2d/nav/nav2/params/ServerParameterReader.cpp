@@ -11,7 +11,9 @@
 
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
+#include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -102,7 +104,34 @@ VelocitySmootherParameters readVelocitySmoother(NodeReader node) {
   return smoother;
 }
 
+/// Until Iron the corners are a list x1, y1, x2 …, since Jazzy a string "[[x, y], …]".
+void convertOldPoints(NodeReader& node, const std::string& name) {
+  const std::string key = name + ".points";
+  const GivenParameter* const given = node.parameters().find(key);
+  if (node.distro() == Distro::Humble || given == nullptr || !given->value->isList()) {
+    return;
+  }
+  const auto value = toRosValue(*given->value, Nav2Value(std::vector<double>()));
+  const auto* const numbers = value ? std::get_if<std::vector<double>>(&*value) : nullptr;
+  if (numbers == nullptr || numbers->empty() || numbers->size() % 2 != 0) {
+    return;
+  }
+  std::vector<std::string> corners;
+  corners.reserve(numbers->size() / 2);
+  for (std::size_t i = 0; i < numbers->size(); i += 2) {
+    corners.push_back(valueText(Nav2Value(std::vector<double>{(*numbers)[i], (*numbers)[i + 1]})));
+  }
+  base::YamlNode points = base::stringNode("[" + base::join(corners, ", ") + "]");
+  points.line = given->value->line;
+  points.column = given->value->column;
+  node.report(key, base::warning("nav2.points-of-iron", {node.node() + "." + key,
+                                                         distroTitle(node.distro()), points.text}));
+  std::string file = given->file;
+  node.supply(key, std::move(points), std::move(file));
+}
+
 MonitorPolygon readShape(NodeReader& node, const std::string& name) {
+  convertOldPoints(node, name);
   MonitorPolygon shape =
       node.read(name + ".", monitorPolygonKeys(), ignoredCollisionMonitorKeys(), MonitorPolygon());
   shape.name = name;
