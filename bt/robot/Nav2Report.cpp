@@ -190,6 +190,7 @@ class ConsistencyChecker {
       checkSpeed(controller);
       checkReach(controller);
       checkFootprint(controller);
+      checkTolerance(controller);
     }
     checkRates();
     return std::move(found_);
@@ -392,6 +393,19 @@ class ConsistencyChecker {
       if (value(key, false)) {
         add("controller_server." + key, "nav2.no-footprint", {key}, base::Severity::Error);
       }
+    }
+  }
+
+  /// DWB's critic RotateToGoal only rotates near the goal, which must not end farther from it.
+  void checkTolerance(const Named& controller) {
+    const std::string key = controller.name + ".xy_goal_tolerance";
+    const double near = value(key, 0.25), wanted = xyGoalTolerance(parameters_);
+    const auto critics = value<std::vector<std::string>>(controller.name + ".critics", {});
+    const bool rotates = std::any_of(critics.begin(), critics.end(), [](const std::string& critic) {
+      return critic.find("RotateToGoal") != std::string::npos;
+    });
+    if (isDwb(controller) && rotates && near > wanted + 1e-9) {
+      add("controller_server." + key, "nav2.rotates-too-far", {key, near, wanted});
     }
   }
 

@@ -16,6 +16,7 @@ class Nav2CheckTest : public QObject {
   void shippedFile_hasNoErrors();
   void oneChange_isToldOnceWithItsLine_data();
   void oneChange_isToldOnceWithItsLine();
+  void rotation_outsideOfTheGoalsTolerance_isReported();
   void pursuit_otherScalingThanTheLayer_isTold();
   void pursuitBehindAShim_isLookedAt_data();
   void pursuitBehindAShim_isLookedAt();
@@ -127,6 +128,26 @@ void Nav2CheckTest::oneChange_isToldOnceWithItsLine() {
     QCOMPARE(problem.line, lineOf(text, "temperature: 1"));
     QCOMPARE(problem.column, 20);
   }
+}
+
+/// DWB stops and rotates within its own tolerance.
+void Nav2CheckTest::rotation_outsideOfTheGoalsTolerance_isReported() {
+  const auto reported = [](const std::string& checker, const std::string& keys) {
+    const base::Diagnostics found = checked(
+        "controller_server:\n  ros__parameters:\n    controller_plugins: [FollowPath]\n"
+        "    goal_checker: {plugin: \"nav2_controller::SimpleGoalChecker\", "
+        "xy_goal_tolerance: " +
+        checker +
+        "}\n    FollowPath: {plugin: \"dwb_core::DWBLocalPlanner\", max_vel_x: 0.3, "
+        "max_vel_theta: 1.0, " +
+        keys + "}\n");
+    return wordsOf(found).find("RotateToGoal only rotates") != std::string::npos;
+  };
+  QVERIFY(reported("0.1", "critics: [RotateToGoal, GoalDist]"));
+  QVERIFY(reported("0.1", "xy_goal_tolerance: 0.15, critics: [RotateToGoal, GoalDist]"));
+  QVERIFY(!reported("0.1", "xy_goal_tolerance: 0.05, critics: [RotateToGoal, GoalDist]"));
+  QVERIFY(!reported("0.1", "critics: [GoalDist]"));
+  QVERIFY(!reported("0.25", "critics: [RotateToGoal, GoalDist]"));
 }
 
 /// Pursuit reads distances out of costs: both must agree on how these fall.
