@@ -116,6 +116,17 @@ class Nav2ReplacementsTest : public QObject {
     QCOMPARE(valueAt<double>(reading, "FollowPath.AckermannConstraints.min_turning_r"), 0.6);
   }
 
+  /// DWB only rotates within its tolerance of the goal.
+  void controller_dwb_hasTheToleranceOfTheGoalChecker() {
+    const std::string text = controllerOf("my_robot/Follower", "max_vel_x: 0.3");
+    QCOMPARE(valueAt<double>(readOf(text), "FollowPath.xy_goal_tolerance"), 0.25);
+    const std::string fine = text +
+                             "    goal_checker_plugins: [fine]\n"
+                             "    fine: {plugin: \"nav2_controller::SimpleGoalChecker\", "
+                             "xy_goal_tolerance: 0.05}\n";
+    QCOMPARE(valueAt<double>(readOf(fine), "FollowPath.xy_goal_tolerance"), 0.05);
+  }
+
   /// Problems of these values name the file and the line of the class.
   void controller_suppliedValues_haveThePositionOfTheClass() {
     const Nav2ReadResult reading =
@@ -351,17 +362,6 @@ global_costmap:
     QCOMPARE(std::get<InflationLayerParameters>(layers[1].parameters).costScalingFactor, 3.5);
   }
 
-  void placeholder_isAbsent() {
-    const Nav2ReadResult reading = readOf(kPursuit + R"(    controller_frequency: TO_BE_OVERRIDDEN
-)");
-    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-    const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.placeholder");
-    QVERIFY(problem != nullptr);
-    QCOMPARE(problem->line, 5);
-    QCOMPARE(controllerValue(reading.parameters, "controller_frequency", 20.0), 20.0);
-  }
-
-  void placeholder_ofLaunchFiles_isAbsent() {
   /// Iron's file has the keys of Jazzy, but the corners as numbers.
   void points_ofIron_areReadAsText() {
     const std::string text = kPursuit +
@@ -384,6 +384,17 @@ global_costmap:
     QVERIFY(!readOf(whole, Distro::Jazzy).ok());
   }
 
+  void placeholder_isAbsent() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"(    controller_frequency: TO_BE_OVERRIDDEN
+)");
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.placeholder");
+    QVERIFY(problem != nullptr);
+    QCOMPARE(problem->line, 5);
+    QCOMPARE(controllerValue(reading.parameters, "controller_frequency", 20.0), 20.0);
+  }
+
+  void placeholder_ofLaunchFiles_isAbsent() {
     const Nav2ReadResult reading = readOf(kPursuit + R"yaml(    controller_frequency: $(var rate)
 local_costmap:
   local_costmap:

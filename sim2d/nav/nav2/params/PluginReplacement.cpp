@@ -77,6 +77,7 @@ struct ControllerLimits {
   double acceleration = 2.5;         // [m/s²]
   double angularAcceleration = 3.2;  // maximum angular acceleration [rad/s²]
   double turningRadius = 0.0;        // of a car [m]; 0: it can rotate in place
+  double goalTolerance = 0.25;       // of the goal checker [m]
 };
 
 /// A re-implemented controller, and why it is the nearest one.
@@ -151,6 +152,7 @@ std::string dwbTemplate(const ControllerLimits& limits) {
       .add("PathDist.scale", 32.0)
       .add("GoalDist.scale", 24.0)
       .add("RotateToGoal.scale", 32.0)
+      .add("xy_goal_tolerance", base::formatDecimals(limits.goalTolerance, 1))
       .text();
 }
 
@@ -280,6 +282,15 @@ void addTemplate(NodeReader& node, const std::string& prefix, const std::string&
   }
 }
 
+/// The tolerance of the first goal checker [m].
+double goalToleranceOf(const Nav2ParameterBlock& server) {
+  const std::vector<std::string> names =
+      stringListAt(server, "goal_checker_plugins", "goal_checker");
+  const auto* const tolerance =
+      names.empty() ? nullptr : valueAt<double>(server, names.front() + ".xy_goal_tolerance");
+  return tolerance != nullptr ? *tolerance : ControllerLimits().goalTolerance;
+}
+
 /// `prefix`: prefix of the controller's keys; `key`: the key of its class.
 void replaceController(NodeReader& node, const std::string& name, const std::string& prefix,
                        const std::string& key, const std::string& type,
@@ -288,7 +299,8 @@ void replaceController(NodeReader& node, const std::string& name, const std::str
   const std::string owner = node.node() + "." + key.substr(0, key.rfind(".plugin"));
   node.report(key,
               base::warning("nav2.treated-as", {owner, type, substitute.plugin, substitute.why}));
-  const ControllerLimits limits = controllerLimits(node, prefix, node.given(prefix), robot);
+  ControllerLimits limits = controllerLimits(node, prefix, node.given(prefix), robot);
+  limits.goalTolerance = goalToleranceOf(node.given({}));
   setPluginClass(node, key, substitute.plugin);
   const Nav2ParameterBlock own = node.given(name + ".");
   const Nav2ParameterBlock frequency = node.given("controller_frequency");
