@@ -25,6 +25,7 @@ using sim2d::nav2::BinaryFilterParameters;
 using sim2d::nav2::CostmapPlugin;
 using sim2d::nav2::FilterMask;
 using sim2d::nav2::KeepoutFilterParameters;
+using sim2d::nav2::KeyUsage;
 using sim2d::nav2::SpeedFilterParameters;
 
 /// File and interpretation of a filter's mask.
@@ -55,6 +56,20 @@ NamedMask maskOf(const CostmapPlugin& filter) {
   return named;
 }
 
+/// At the position of the map server's `yaml_filename`.
+base::Diagnostic missingMask(const sim2d::nav2::Nav2Parameters& parameters,
+                             const std::string& filter, const std::string& mask) {
+  base::Diagnostic problem = base::warning("nav2.mask-not-found", {filter, mask}, parameters.file);
+  for (const KeyUsage& key : parameters.notes.keys) {
+    if (key.value == mask && base::endsWith(key.path, ".yaml_filename")) {
+      problem.file = key.file;
+      problem.line = key.line;
+      problem.column = key.column;
+    }
+  }
+  return problem;
+}
+
 }  // namespace
 
 Nav2Masks loadNav2Masks(const sim2d::nav2::Nav2Parameters& parameters) {
@@ -68,8 +83,7 @@ Nav2Masks loadNav2Masks(const sim2d::nav2::Nav2Parameters& parameters) {
       const std::string folder = std::filesystem::path(parameters.file).parent_path().string();
       std::string file = sim2d::nav2::findReferencedFile(named.file, {folder}).file;
       if (file.empty() && named.isPublished) {  // a path on the robot's computer
-        masks.problems.push_back(
-            base::warning("nav2.mask-not-found", {filter.name, named.file}, parameters.file));
+        masks.problems.push_back(missingMask(parameters, filter.name, named.file));
         continue;
       }
       file = file.empty() ? (std::filesystem::path(folder) / named.file).string() : file;

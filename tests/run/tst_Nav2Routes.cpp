@@ -323,7 +323,7 @@ void Nav2RoutesTest::mask_ofAServerThatIsNotThere_isAWarning() {
                    maskServers("keepout", 0, "/home/robot/lost_mask.yaml"))});
   QVERIFY(!base::hasErrors(found));
   QVERIFY(std::any_of(found.begin(), found.end(), [](const base::Diagnostic& problem) {
-    return problem.code == "nav2.mask-not-found";
+    return problem.code == "nav2.mask-not-found" && problem.line > 0 && problem.column > 0;
   }));
 }
 
