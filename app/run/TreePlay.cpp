@@ -120,7 +120,7 @@ class StationaryNavigator : public bt::NavigatorHost {
   base::Pose2 pose() const override { return {}; }
   double speed() const override { return 0.0; }
   double goalReachedTolerance() const override { return 0.25; }
-  bt::PathId newestGoal() const override { return goal_; }
+  bt::PathId goal() const { return goal_; }
   double time() const override { return 0.0; }
   sim2d::BodyTwist motion() const override { return {}; }
   double acceleration() const override { return 0.0; }
@@ -171,8 +171,8 @@ class ScriptedPlay final : public TreePlay {
     society_.agentStates.resize(1);
     society_.groups.assign(1, -1);
     if (isOfRobot_) {
-      for (const int goal : {0, 1}) {
-        state_.set(state_.program().hostSlot(goal), static_cast<int>(robot_.newestGoal()));
+      for (const int entry : {0, 1}) {
+        state_.set(state_.program().hostSlot(entry), static_cast<int>(robot_.goal()));
       }
       state_.set(state_.program().hostSlot(2), 0);
     } else {

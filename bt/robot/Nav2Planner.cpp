@@ -219,7 +219,6 @@ class Nav2Planner final : public sim2d::Planner {
     tree_->halt(input());
     servers_->restart();
     const PathId goals = servers_->paths().add(route_.poses());
-    servers_->setGoal(goals);
     tree_->set(loaded_.program->hostSlot(0), static_cast<int>(goals));
     tree_->set(loaded_.program->hostSlot(1), static_cast<int>(goals));
     tree_->set(loaded_.program->hostSlot(2), 0);

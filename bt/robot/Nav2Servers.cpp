@@ -344,6 +344,10 @@ bool isBlocked(const PathCheck& check, std::uint8_t cost, bool isRadius) {
 
 }  // namespace
 
+base::Pose2 Nav2Servers::poseIn(const std::string& frame) const {
+  return bareName(frame) == setup_.parameters.frames.odom ? inOdom_->pose : observation_->pose;
+}
+
 double Nav2Servers::speed() const {
   const BodyTwist mean = odometry_.mean();
   return std::sqrt(mean.linear * mean.linear + mean.lateral * mean.lateral);

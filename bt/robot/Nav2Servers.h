@@ -183,7 +183,6 @@ class Nav2Servers final : public NavigatorHost {
   void sense(const sim2d::Observation& observation);
   /// Executes the requests of the tree and all due updates; returns the command for the wheels.
   sim2d::BodyTwist act();
-  void setGoal(PathId goal) { goal_ = goal; }
   /// Call before a new run of the tree: drops all requests.
   void restart();
   static const std::array<RobotAction, 5>& behaviorActions();
@@ -215,12 +214,12 @@ class Nav2Servers final : public NavigatorHost {
   // NavigatorHost
   sim2d::nav2::Distro distro() const override { return setup_.parameters.distro; }
   base::Pose2 pose() const override { return observation_->pose; }
+  base::Pose2 poseIn(const std::string& frame) const override;
   std::optional<sim2d::BatteryState> battery() const override { return observation_->battery; }
   double speed() const override;
   double goalReachedTolerance() const override {
     return setup_.parameters.btNavigator.goalReachedTol;
   }
-  PathId newestGoal() const override { return goal_; }
   double time() const override { return time_; }
   sim2d::BodyTwist motion() const override { return observation_->motion; }
   double acceleration() const override { return acceleration_; }
@@ -320,7 +319,6 @@ class Nav2Servers final : public NavigatorHost {
   bool isCancelling_ = false;
   std::optional<sim2d::BodyTwist> command_;       // published in this step
   std::deque<sim2d::BodyTwist> delayedCommands_;  // delayed commands, oldest first
-  PathId goal_ = 0;
   ProgramResults nestedResults_;
   std::optional<NestedNavigation> navigation_;  // requested by a node of the tree
   RobotOutcome navigated_;                      // its outcome

@@ -9,10 +9,6 @@
 namespace bt {
 namespace {
 
-std::string bareName(const std::string& topic) {
-  return !topic.empty() && topic.front() == '/' ? topic.substr(1) : topic;
-}
-
 /// Removes and returns the first word.
 std::string takeWord(std::string& line) {
   const std::size_t end = std::min(line.find(' '), line.size());
@@ -22,6 +18,10 @@ std::string takeWord(std::string& line) {
 }
 
 }  // namespace
+
+std::string bareName(const std::string& name) {
+  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
+}
 
 base::Result<NavigatorTopics> NavigatorTopics::read(const std::string& text) {
   NavigatorTopics topics;

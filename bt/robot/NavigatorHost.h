@@ -175,6 +175,9 @@ struct Waypoint {
 };
 using Waypoints = std::vector<Waypoint>;
 
+/// The name of a topic or frame without a leading '/'.
+std::string bareName(const std::string& name);
+
 /// The last message of a topic.
 struct TopicMessage {
   double time = 0.0;  // publication time [s]
@@ -215,11 +218,12 @@ class NavigatorHost {
   NavigatorHost& operator=(NavigatorHost&&) = delete;
 
   virtual sim2d::nav2::Distro distro() const = 0;
-  virtual base::Pose2 pose() const = 0;             // [m], [rad]
+  virtual base::Pose2 pose() const = 0;  // in the map [m], [rad]
+  /// The same in a frame by name: the map or the odometry's.
+  virtual base::Pose2 poseIn(const std::string& /*frame*/) const { return pose(); }
   virtual double speed() const = 0;                 // smoothed odometry [m/s]
   virtual double goalReachedTolerance() const = 0;  // [m]
   virtual std::optional<sim2d::BatteryState> battery() const { return std::nullopt; }
-  virtual PathId newestGoal() const = 0;        // current position of a moving goal
   virtual double time() const = 0;              // simulated time [s]
   virtual sim2d::BodyTwist motion() const = 0;  // last reading of the odometry
   /// Change of the forward speed between the last two readings of the odometry [m/s²].

@@ -84,11 +84,9 @@ void Nav2Servers::navigate() {
   if (!navigation_) {
     return;
   }
-  const PathId outer = std::exchange(goal_, navigation_->goals());
   isNavigating_ = true;
   const NodeStatus status = navigation_->tick(*this, observation_->dt);
   isNavigating_ = false;
-  goal_ = outer;
   if (status == NodeStatus::Success) {
     navigated_.state = State::Succeeded;
   } else if (status == NodeStatus::Failure) {

@@ -37,6 +37,13 @@ inline std::string textOf(const LeafContext& leaf, int port) {
   return leaf.text(port).value_or("");
 }
 
+/// Whether a service is that of the local costmap: "/robot1/local_costmap/get_cost_local_costmap".
+/// A namespace such as local_robot does not count if the name tells the costmap.
+inline bool namesLocalCostmap(const std::string& service) {
+  const auto has = [&](const char* part) { return service.find(part) != std::string::npos; };
+  return has("local_costmap") || (has("local") && !has("global_costmap"));
+}
+
 /// The status of a node that waits for an action. Cancelled counts as success, as in Nav2.
 inline base::NodeStatus statusOf(const RobotOutcome& outcome) {
   if (outcome.state == RobotOutcome::State::Running) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,6 +30,11 @@ using Steps = std::vector<long long>;
 inline constexpr NodeStatus kSuccess = NodeStatus::Success;
 inline constexpr NodeStatus kFailure = NodeStatus::Failure;
 inline constexpr NodeStatus kRunning = NodeStatus::Running;
+
+/// The actions as the log has them, in their order.
+inline constexpr std::array<const char*, bt::kRobotActions> kActionNames = {
+    "plan",    "through",       "follow", "smooth", "spin",   "backup", "heading", "wait",
+    "to-pose", "through-poses", "route",  "track",  "teleop", "dock",   "undock",  "object"};
 
 struct Answer {
   State state = State::Succeeded;
@@ -68,7 +75,6 @@ class Scripted : public bt::NavigatorHost {
   double speed() const override { return driven; }
   std::optional<sim2d::BatteryState> battery() const override { return charge; }
   double goalReachedTolerance() const override { return 0.25; }
-  bt::PathId newestGoal() const override { return goal; }
   double time() const override { return 0.05 * static_cast<double>(step); }
   sim2d::BodyTwist motion() const override { return {driven, 0.0, 0.0}; }
   double acceleration() const override { return braking; }
@@ -90,10 +96,7 @@ class Scripted : public bt::NavigatorHost {
     return topics.lastOf(topic, time());
   }
   void begin(RobotAction action, const bt::RobotRequest& request) override {
-    static const char* const kNames[] = {
-        "plan",    "through",       "follow", "smooth", "spin",   "backup", "heading", "wait",
-        "to-pose", "through-poses", "route",  "track",  "teleop", "dock",   "undock",  "object"};
-    log.push_back(kNames[static_cast<int>(action)]);
+    log.push_back(kActionNames.at(static_cast<std::size_t>(action)));
     steps_[action] = step;
     last = request;
     std::vector<Answer>& answers = script[action];
@@ -168,9 +171,10 @@ inline bt::TreeTable tableOf(const std::string& nodes) {
 }
 
 /// A tree with its navigator, ticked at 20 Hz.
-class Played {
+template <class Host>
+class PlayedBy {
  public:
-  Played(const bt::TreeTable& table, Distro distro = Distro::Humble) : host(distro) {
+  PlayedBy(const bt::TreeTable& table, Distro distro = Distro::Humble) : host(distro) {
     bt::CompileOptions options;
     options.hostEntries = {{"goal", bt::PortType::Any}, {"goals", bt::PortType::Any}};
     auto compiled = bt::compile(table, bt::robotNodes(), options);
@@ -182,10 +186,10 @@ class Played {
     }
   }
 
-  explicit Played(const std::string& nodes, Distro distro = Distro::Humble)
-      : Played(tableOf(nodes), distro) {}
+  explicit PlayedBy(const std::string& nodes, Distro distro = Distro::Humble)
+      : PlayedBy(tableOf(nodes), distro) {}
 
-  Scripted host;
+  Host host;
   base::Diagnostics problems;
   std::shared_ptr<const bt::Program> program;
   std::unique_ptr<bt::TreeState> state;
@@ -223,5 +227,6 @@ class Played {
     return steps;
   }
 };
+using Played = PlayedBy<Scripted>;
 
 }  // namespace navigator

@@ -173,10 +173,9 @@ NodeFunctions behaviorNode() {
 template <ClearRequest::Extent extent>
 NodeStatus clearCostmap(LeafContext& leaf) {
   NavigatorHost& robot = robotOf(leaf);
-  const std::string service = textOf(leaf, 0);
   ClearRequest request;
   request.extent = extent;
-  request.isLocal = service.find("local") != std::string::npos;
+  request.isLocal = namesLocalCostmap(textOf(leaf, 0));
   request.plugins = textOf(leaf, 1);
   if (extent != ClearRequest::Extent::Entire) {
     request.distance = leaf.require<double>(2);
@@ -224,7 +223,7 @@ smoother_id text default|Name of the smoother; not needed if there is only one.
 max_smoothing_duration number default 3.0 unit s|Maximum duration.
 check_for_collisions bool default false|Fails if the result collides with an obstacle.
 smoothed_path any output suggest {path}|Smoothed path.
-smoothing_duration number output|Duration.
+smoothing_duration number output|Always 0: smoothing takes no simulated time.
 was_completed bool output|Whether the whole path was smoothed.
 error_code_id server_name server_timeout error_msg
 Action Spin|Navigation|Rotates in place.

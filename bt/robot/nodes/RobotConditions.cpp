@@ -143,10 +143,10 @@ struct PlaceMemory {
   double x, y;  // [m]
 };
 
-/// Port 0: distance [m].
+/// Ports 0: distance [m], 1: frame.
 NodeStatus distanceTraveled(LeafContext& leaf) {
   auto& memory = leaf.memory<PlaceMemory>();
-  const Vec2 place = robotOf(leaf).pose().position;
+  const Vec2 place = robotOf(leaf).poseIn(textOf(leaf, 1)).position;
   const double travelled = (place - Vec2(memory.x, memory.y)).norm();
   const bool isFar = !isStarting(leaf) && travelled >= leaf.require<double>(0);
   if (isStarting(leaf) || isFar) {
@@ -282,11 +282,12 @@ seconds
 path any needed suggest {path}|Path.
 Condition DistanceTraveled|Navigation|The robot has travelled this distance since the last success.
 distance length default 1.0|Straight-line distance.
-global_frame text default map|No effect: TF is not used.
-robot_base_frame text default base_link|No effect: TF is not used.
+global_frame text default map|Frame in which the distance is measured: that of the map or of the odometry.
+robot_base_frame text default base_link|No effect: the pose is that of the robot's centre.
 Condition GoalReached|Navigation|The robot is at the goal (goal_reached_tol).
 goal any needed suggest {goal}|Goal.
-robot_base_frame global_frame
+robot_base_frame
+global_frame text default map|No effect: distances to poses are the same in every frame.
 Condition IsStuck|Navigation|The robot was stopped abruptly.
 Condition AreErrorCodesPresent|Navigation|The error code is in the list.
 error_code int default {error_code}|Error code.

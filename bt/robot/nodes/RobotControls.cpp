@@ -190,13 +190,6 @@ void closeGate(ParentContext& node) {
   node.memory<GateMemory>().childRuns = false;
 }
 
-void setOut(GateMemory& memory, const LeafContext& node) {
-  memory.since = node.step();
-  const Vec2 place = robotOf(node).pose().position;
-  memory.x = place.x();
-  memory.y = place.y();
-}
-
 /// Port 0: rate [Hz].
 NodeStatus rateController(ParentContext& node) {
   auto& memory = node.memory<GateMemory>();
@@ -216,21 +209,25 @@ NodeStatus rateController(ParentContext& node) {
   return status;
 }
 
-/// Port 0: distance [m].
+/// Ports 0: distance [m], 1: frame.
 NodeStatus distanceController(ParentContext& node) {
   auto& memory = node.memory<GateMemory>();
+  const Vec2 place = robotOf(node).poseIn(textOf(node, 1)).position;
+  const auto setOut = [&] {
+    memory.x = place.x();
+    memory.y = place.y();
+  };
   if (isStarting(node)) {
-    setOut(memory, node);
+    setOut();
     memory.isFirst = true;
   }
-  const Vec2 place = robotOf(node).pose().position;
   const double travelled = (place - Vec2(memory.x, memory.y)).norm();
   if (!memory.isFirst && !memory.childRuns && travelled < node.require<double>(0)) {
     return NodeStatus::Running;
   }
   const NodeStatus status = tickGated(node, memory);
   if (status == NodeStatus::Success) {
-    setOut(memory, node);
+    setOut();
   }
   return status;
 }
@@ -323,19 +320,15 @@ PathId updatedBy(const ParentContext& node, const std::string& topic, double sin
   return last;
 }
 
-/// Ports 0: goal, 1: goal to use, 2: goals, 3: goals to use. The newest goals apply: messages of
-/// the topics goal_update and goals_update that are newer than the given goals, as in Nav2, and the
-/// robot's own goal, which may move.
+/// Ports 0: goal, 1: goal to use, 2: goals, 3: goals to use. Messages of the topics goal_update and
+/// goals_update that are newer than the given goals replace them, as in Nav2.
 NodeStatus goalUpdater(ParentContext& node) {
   auto& memory = node.memory<UpdaterMemory>();
-  const NavigatorHost& robot = robotOf(node);
   const PathId goal = pathOf(node, 0), goals = pathOf(node, 2);
   if (goal != memory.goal || goals != memory.goals) {
-    memory = {goal, goals, robot.time(), memory.newest, memory.newestOf};
+    memory = {goal, goals, robotOf(node).time(), memory.newest, memory.newestOf};
   }
-  const PathId own = robot.newestGoal() != 0 ? robot.newestGoal() : goal;
-  const PathId newest = updatedBy(node, "goal_update", memory.since, own, memory.newest);
-  setNumber(node, 1, newest);
+  setNumber(node, 1, updatedBy(node, "goal_update", memory.since, goal, memory.newest));
   setNumber(node, 3, updatedBy(node, "goals_update", memory.since, goals, memory.newestOf));
   return node.tickChild();
 }
@@ -399,8 +392,8 @@ Decorator RateController|Navigation|Ticks the child at this maximum rate, and in
 hz number default 10.0 unit Hz|Rate.
 Decorator DistanceController|Navigation|Ticks the child each time the robot has travelled this distance, and in each tick while it is running.
 distance length default 1.0|Straight-line distance from the position of the child's last success.
-global_frame text default map|No effect: TF is not used.
-robot_base_frame text default base_link|No effect: TF is not used.
+global_frame text default map|Frame in which the distance is measured: that of the map or of the odometry.
+robot_base_frame text default base_link|No effect: the pose is that of the robot's centre.
 Decorator SpeedController|Navigation|Ticks the child at a rate that increases with the robot's speed.
 min_rate number default 0.1 unit Hz|Rate at the minimum speed.
 max_rate number default 1.0 unit Hz|Rate at the maximum speed.

@@ -94,8 +94,10 @@ NodeStatus isBatteryCharging(LeafContext& leaf) {
   return successIf(battery && battery->isCharging);
 }
 
+/// Port 0: whether it was received. Nav2 keeps this in the blackboard; here without a value the
+/// localization is asked.
 NodeStatus initialPoseReceived(LeafContext& leaf) {
-  return successIf(robotOf(leaf).isLocalized());
+  return successIf(leaf.getOr<bool>(0, robotOf(leaf).isLocalized()));
 }
 
 struct FoundMemory {
@@ -167,7 +169,7 @@ battery_topic text default /battery_status|No effect: the battery of the robot i
 Condition IsBatteryCharging|Navigation|The battery of the robot is being charged.
 battery_topic
 Condition InitialPoseReceived|Navigation|The robot has a pose in the map: the localization has made its first correction.
-initial_pose_received any|No effect.
+initial_pose_received bool|Replaces the state of the localization.
 Condition TransformAvailable|Navigation|A transform between two frames of the parameter file exists.
 parent text needed suggest odom|Parent frame.
 child text needed suggest base_link|Child frame.

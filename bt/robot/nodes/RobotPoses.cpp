@@ -73,10 +73,6 @@ NodeStatus nextFewGoals(LeafContext& leaf) {
 
 // Occupancy. Nav2 calls the service get_cost, whose name selects the costmap.
 
-bool usesLocalCostmap(const LeafContext& leaf, int port) {
-  return leaf.text(port).value_or("").find("local") != std::string::npos;
-}
-
 struct Occupancy {
   double threshold = 254.0;
   bool usesFootprint = true, unknownBlocks = false;
@@ -103,7 +99,8 @@ NodeStatus checkPose(LeafContext& leaf) {
   if (pose.empty()) {
     return NodeStatus::Failure;
   }
-  const auto cost = robot.costAt(usesLocalCostmap(leaf, 1), pose.front(), occupancy.usesFootprint);
+  const auto cost =
+      robot.costAt(namesLocalCostmap(textOf(leaf, 1)), pose.front(), occupancy.usesFootprint);
   return successIf(cost && occupancy.isFree(*cost));
 }
 
@@ -130,7 +127,7 @@ NodeStatus removeColliding(LeafContext& leaf) {
   const PathId from = pathOf(leaf, 0);
   const Path& goals = robot.paths().get(from);
   const Occupancy occupancy = occupancyOf(leaf, 2);
-  const bool isLocal = usesLocalCostmap(leaf, 1);
+  const bool isLocal = namesLocalCostmap(textOf(leaf, 1));
   Waypoints waypoints = robot.waypoints().get(pathOf(leaf, 6));
   Path free;
   free.reserve(goals.size());
@@ -178,7 +175,7 @@ NodeStatus removePassedGoals(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-global_frame text default map|No effect: poses are in the map frame.
+global_frame text default map|No effect: poses are stored in the map frame.
 robot_base_frame text default base_link|No effect: the pose is that of the robot's centre.
 server_timeout int default 20|No effect: the service responds immediately.
 Action GetPoseFromPath|Navigation|Gets a pose of a path (since Jazzy).
