@@ -56,16 +56,15 @@ std::string certificationText(const Json& certificate) {
   if (certificate.is_null()) {
     return {};
   }
-  if (!certificate.value("certified", false)) {
+  if (certificate.value("certified", Json()) != true) {
     return "not certified";
   }
-  const bool separates = certificate.value("separates", false) && !certificate["metrics"].empty() &&
-                         certificate["metrics"][0]["separates"].is_array();
-  if (!separates) {
-    return "certified";
-  }
-  const Json& pair = certificate["metrics"][0]["separates"];
-  return "separates " + pair[0].get<std::string>() + " and " + pair[1].get<std::string>();
+  const Json pair = certificate.value(Json::json_pointer("/metrics/0/separates"), Json());
+  const bool isPair =
+      pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
+  return isPair && certificate.value("separates", Json()) == true
+             ? "separates " + pair[0].get<std::string>() + " and " + pair[1].get<std::string>()
+             : "certified";
 }
 
 std::string difficultyText(const sim2d::ScenarioCard& card) {

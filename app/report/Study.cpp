@@ -176,9 +176,15 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string textIn(const Json& object, const char* key) {
+/// Null if there is none.
+Json memberOf(const Json& object, const char* key) {
   const auto found = object.is_object() ? object.find(key) : object.end();
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  return found != object.end() ? *found : Json();
+}
+
+std::string textIn(const Json& object, const char* key) {
+  const Json found = memberOf(object, key);
+  return found.is_string() ? found.get<std::string>() : std::string();
 }
 
 /// Collects the warnings of `check` for the experiment and its scenarios, without those of files
@@ -289,13 +295,14 @@ base::Diagnostics readManifest(const fs::path& path, Study& study) {
   }
   study.shard = textIn(manifest, "shard");
   const auto code = manifest.find("code");
-  study.allowsCode = code != manifest.end() && code->is_object() && code->value("allowed", false);
+  study.allowsCode = code != manifest.end() && memberOf(*code, "allowed") == Json(true);
   const auto limit = manifest.find("time_limit");
   if (limit != manifest.end() && limit->is_number()) {
     study.timeLimit = limit->get<double>();
   }
   if (const auto until = manifest.find("until"); until != manifest.end() && until->is_object()) {
-    study.enoughSeeds = until->value("seeds", 0LL);
+    const Json seeds = memberOf(*until, "seeds");
+    study.enoughSeeds = seeds.is_number_integer() ? seeds.get<long long>() : 0;
     study.until = study.enoughSeeds > 0 ? textIn(*until, "condition") : std::string();
   }
   readDrawn(manifest, study);

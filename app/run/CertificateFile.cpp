@@ -69,8 +69,9 @@ Json contentOf(const Certificate& certificate) {
 
 base::Result<Json> parsed(const std::string& text, const std::string& path) {
   const Json json = Json::parse(base::shallowJson(text), nullptr, false);
-  const bool isCertificate = json.is_object() && json.value("hunavsim_certificate", 0) == 1 &&
-                             json.contains("seeds") && json.contains("successes");
+  const bool isCertificate = json.is_object() && json.value("hunavsim_certificate", Json()) == 1 &&
+                             json.value("seeds", Json()).is_array() &&
+                             json.value("successes", Json()).is_object();
   return isCertificate ? base::Result<Json>(json)
                        : base::Result<Json>(base::error("certificate.damaged", {}, path));
 }

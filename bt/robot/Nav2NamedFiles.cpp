@@ -181,13 +181,14 @@ class LatticeReader {
     const LatticeJson meta = root_.value("lattice_metadata", LatticeJson::object());
     lattice.motionModel = textAt(meta, "motion_model");
     lattice.turningRadius = numberAt(meta, "turning_radius", 1e-3, kFarthest);
-    const LatticeJson angles = meta.value("heading_angles", LatticeJson::array());
+    const LatticeJson angles =
+        meta.is_object() ? meta.value("heading_angles", LatticeJson()) : LatticeJson();
     for (const LatticeJson& angle : angles) {
       lattice.headings.push_back(base::wrapToPi(numberOf(angle, -10.0, 10.0)));
     }
     const bool isEven = lattice.headings.size() % 2 == 0;
     isGood_ =
-        isGood_ && !lattice.headings.empty() && isEven && lattice.headings.size() <= kMostHeadings;
+        isGood_ && angles.is_array() && !angles.empty() && isEven && angles.size() <= kMostHeadings;
     if (!isGood_) {
       return std::nullopt;
     }

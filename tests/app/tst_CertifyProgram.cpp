@@ -106,6 +106,25 @@ class CertifyProgramTest : public QObject {
     QCOMPARE(unexpected(runProgram(verify, folder.path()), 1, "inputs"), QString());
   }
 
+  void verify_otherJson_isRefused() {
+    const QTemporaryDir folder;
+    writeText(folder.filePath(text("meeting.yaml")), meeting("anna reaches goal 1 before 20 s"));
+    for (const char* const certificate :
+         {"", "{", "[]", "7", R"({"hunavsim_certificate": "1", "seeds": [1], "successes": {}})",
+          R"({"hunavsim_certificate": null, "seeds": [1], "successes": {"orca": 1}})",
+          R"({"hunavsim_certificate": 1, "seeds": 5, "successes": {"orca": 1}})",
+          R"({"hunavsim_certificate": 1, "seeds": ["a"], "successes": {"orca": 1}})",
+          R"({"hunavsim_certificate": 1, "seeds": [1], "successes": [1]})",
+          R"({"hunavsim_certificate": 1, "seeds": [1e999], "successes": {"orca": 1}})"}) {
+      writeText(folder.filePath(text("meeting.certificate.json")), certificate);
+      const Finished finished =
+          runProgram(text("check --verify meeting.yaml").split(QLatin1Char(' ')), folder.path());
+      QCOMPARE(
+          unexpected(finished, 2, "meeting.certificate.json: error: is not a certificate of a scenario"),
+          QString());
+    }
+  }
+
   void certify_expectationThatFails_isAProblem() {
     const QTemporaryDir folder;
     writeText(folder.filePath(text("meeting.yaml")), meeting("anna reaches goal 1 before 3 s"));

@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <cstdlib>
+#include <string_view>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <nlohmann/json.hpp>
 
 #include <QCryptographicHash>
 #include <QJsonArray>
@@ -9,8 +13,14 @@
 #include <QThread>
 #include <QtTest>
 
+#include "app/capsule/Archive.h"
+#include "app/capsule/CapsuleManifest.h"
+#include "app/run/ManifestFiles.h"
+#include "app/run/OutputFolder.h"
 #include "tests/app/ForkedProgram.h"
 #include "tests/app/Nav2Yard.h"
+#include "tests/nav/OnnxFile.h"
+#include "tests/run/LatticeFile.h"
 #include "tests/support/Mutator.h"
 #include "tests/support/Sanitizers.h"
 
@@ -38,6 +48,8 @@ class MutationsTest : public QObject {
  private Q_SLOTS:
   void initTestCase();
   void damaged_isReadOrRefused();
+  void json_otherThanExpected_isRefusedInOurWords_data();
+  void json_otherThanExpected_isRefusedInOurWords();
 };
 
 namespace {
@@ -147,8 +159,8 @@ QString faultOf(const Ended& ended, bool wantsJson) {
   if (code > 2) {
     return text("exit code %1").arg(code);
   }
-  for (const char* word :
-       {"std::", "not enough memory", "basic_string", "vector::", "::at", "stoi"}) {
+  for (const char* word : {"std::", "not enough memory", "basic_string", "vector::", "::at", "stoi",
+                           "json.exception"}) {
     if (ended.err.contains(text(word))) {
       return text("tells of its inside: ") + text(word);
     }
@@ -253,6 +265,173 @@ void writeNav2Study(const QString& folder) {
             "");
 }
 
+using Json = nlohmann::ordered_json;
+using JsonPlaces = std::vector<Json::json_pointer>;
+
+/// All members, and of a list the first two elements.
+void addPlaces(const Json& node, const Json::json_pointer& at, JsonPlaces& to) {
+  constexpr std::size_t kElements = 2;
+  if (!at.empty()) {
+    to.push_back(at);
+  }
+  const Json members = node.is_object() ? node : Json::object();
+  for (const auto& [key, value] : members.items()) {
+    addPlaces(value, at / key, to);
+  }
+  for (std::size_t k = 0; node.is_array() && k < std::min(kElements, node.size()); ++k) {
+    addPlaces(node[k], at / k, to);
+  }
+}
+
+/// Texts in place of a JSON text: no JSON, other JSON, and each value replaced by one of another
+/// type. Usually a sample.
+std::vector<std::string> otherJson(const std::string& whole) {
+  static const std::vector<std::string> kWrong = {"null", "true",       "-1",      "0.5",
+                                                  "9e99", "\"a text\"", "[\"a\"]", "{\"a\": 1}"};
+  const std::size_t number = whole.find_first_of("123456789");
+  std::vector<std::string> texts = {"",
+                                    "{",
+                                    "[]",
+                                    "{}",
+                                    "7",
+                                    "nonsense",
+                                    whole.substr(0, whole.size() / 2),
+                                    "{\"a\": \"\xff\"}",
+                                    std::string(100000, '['),
+                                    std::string(whole).replace(number, 1, "1e999")};
+  const Json json = Json::parse(whole);
+  JsonPlaces places;
+  addPlaces(json, Json::json_pointer(), places);
+  const bool isLong = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS");
+  const std::size_t step =
+      isLong ? 1 : std::max<std::size_t>(1, places.size() * kWrong.size() / 10);
+  for (std::size_t k = 0; k < places.size() * kWrong.size(); k += step) {
+    Json other = json;
+    other[places[k % places.size()]] = Json::parse(kWrong[k / places.size()]);
+    texts.push_back(other.dump(1));
+  }
+  return texts;
+}
+
+constexpr char kSocnav[] = R"({
+ "grid": {"width": 2, "height": 1, "cell_size": 0.5, "x_orig": -1.0, "y_orig": -2.0,
+          "angle_orig": 0.0, "data": [[1, 0]]},
+ "walls": [[0.0, 3.0, 5.0, 3.0]],
+ "sequence": [
+  {"timestamp": 0.0, "robot": {"x": 0.0, "y": 0.0, "angle": 0.1, "speed_x": 0.5, "speed_y": 0.0,
+   "speed_a": 0.0, "shape": {"type": "circle", "width": 0.6, "length": 0.6}},
+   "goal": {"type": "go-to", "human": null, "x": 4.0, "y": 0.0, "angle": 0.0,
+            "pos_threshold": 0.25, "angle_threshold": 3.14},
+   "people": [{"id": 3, "x": 2.0, "y": 1.0, "angle": -1.5}],
+   "objects": [{"id": 1, "type": "table", "x": 2.0, "y": 2.0, "angle": 0.0,
+                "shape": {"type": "rectangle", "width": 0.5, "length": 1.0}}]},
+  {"timestamp": 0.2, "robot": {"x": 0.1, "y": 0.0, "angle": 0.1},
+   "people": [{"id": 3, "x": 2.0, "y": 1.0, "angle": -1.5}], "objects": []}]
+})";
+constexpr char kJrdb[] =
+    R"({"labels": {"000001.pcd": [{"label_id": "pedestrian:1", "box": {"cx": 1.0, "cy": 2.0,
+"cz": 0.0, "h": 1.7, "l": 0.5, "w": 0.5, "rot_z": 0.1}}], "000002.pcd": [{"label_id":
+"pedestrian:1", "box": {"cx": 1.1, "cy": 2.0, "cz": 0.0, "h": 1.7, "l": 0.5, "w": 0.5,
+"rot_z": 0.1}}]}})";
+constexpr char kPolicyScenario[] =
+    "hunav_loader: {ros__parameters: {agents: []}}\nhunavsim_desktop:\n  ros__parameters:\n"
+    "    format: 1\n    map_file: none\n    robots: [robot1]\n    robot1: {planner: onnx, "
+    "planner_parameters: {file: policy.onnx}, start: {x: 0.0, y: 0.0}, goal: {x: 5.0, y: 0.0}}\n";
+
+/// JSON in files of every kind.
+struct JsonKind {
+  const char* name;
+  const char* file;  // that is named by a refusal
+  const char* command;
+};
+constexpr JsonKind kJsonKinds[] = {
+    {"trace", "r/trace.json", "evaluate r -q -o o"},
+    {"manifest of a run", "r/manifest.json", "run --from r@0.3 -q --duration 0.4"},
+    {"manifest of a study", "b/manifest.json", "report b --no-pdf -q"},
+    {"policy", "policy.onnx", "run policy.yaml -q --duration 0.1"},
+    {"lattice", "n/lattice.json", "check n/params_lattice.yaml"},
+    {"capsule", "c.hnv", "verify c.hnv -q"},
+    {"jrdb", "jrdb.json", "evaluate jrdb.json --format jrdb -q -o o"},
+    {"socnav3", "socnav3.json", "evaluate socnav3.json --format socnav3 -q -o o"},
+    {"trajnet", "t.ndjson", "evaluate t.ndjson --format trajnet -q -o o"}};
+
+bool isNamed(const JsonKind& kind, const char* name) {
+  return std::string_view(kind.name) == name;
+}
+
+/// Whether a refusal names the file or its folder, or that no network can be run here at all.
+bool isPlaced(const QString& told, const JsonKind& kind) {
+  const QFileInfo file(text(kind.file));
+  return told.contains(file.fileName()) || told.contains(file.path() + text(": error: ")) ||
+         (isNamed(kind, "policy") && told.contains(text("needs the package hunavsim-onnx")));
+}
+
+/// The text of the undamaged file.
+std::string jsonOf(const JsonKind& kind) {
+  if (isNamed(kind, "policy")) {
+    return onnxfile::metadataOf(0, 0, 0, 4);
+  }
+  if (isNamed(kind, "trajnet")) {
+    return R"({"track": {"f": 3, "p": 1, "x": 0.5, "y": 0.0, "scene_id": 0}})";
+  }
+  const char* const file = isNamed(kind, "capsule") ? "c/manifest.json" : kind.file;
+  std::string json = bytesOf(corpus().filePath(text(file))).toStdString();
+  if (isNamed(kind, "manifest of a study")) {  // what only some studies have
+    json.insert(json.find('{') + 1,
+                R"("code": {"allowed": false}, "until": {"seeds": 3, "condition": "n > 2"},)");
+  }
+  return json;
+}
+
+/// All members of the capsule as they are now, with their hashes.
+bool packCapsule(const QString& folder) {
+  const std::string root = (folder + text("/c")).toStdString();
+  app::FileHashes sums;
+  std::vector<capsule::ArchiveMember> members;
+  const std::vector<std::string> names = *app::filesBelow(root);
+  for (const std::string& name : names) {
+    if (name != capsule::kSumsMember) {
+      sums[name] = *app::sha256OfFile(root + "/" + name);
+    }
+    members.push_back({name, {}, root + "/" + name, false});
+  }
+  writeText(QString::fromStdString(root + "/" + capsule::kSumsMember),
+            QByteArray::fromStdString(capsule::sumsText(sums)));
+  return capsule::writeArchive((folder + text("/c.hnv")).toStdString(), members).empty();
+}
+
+void putJson(const JsonKind& kind, const QString& folder, const std::string& json) {
+  const QString file = folder + QLatin1Char('/') + text(kind.file);
+  const QByteArray bytes = QByteArray::fromStdString(json);
+  if (isNamed(kind, "policy")) {
+    writeText(file,
+              QByteArray::fromStdString(onnxfile::model(onnxfile::towardsGoal().graph(), json)));
+  } else if (isNamed(kind, "capsule")) {
+    writeText(folder + text("/c/manifest.json"), bytes);
+    QVERIFY(packCapsule(folder));
+  } else if (isNamed(kind, "trajnet")) {
+    writeText(file, R"({"track": {"f": 1, "p": 1, "x": 0.0, "y": 0.0}})"
+                    "\n" +
+                        bytes + "\n");
+  } else {
+    writeText(file, bytes);
+    adaptManifest(folder, kind.file, 2);
+  }
+}
+
+/// What the commands for `kJsonKinds` read.
+void writeJsonKinds(const QString& folder) {
+  writeText(folder + text("/policy.yaml"), kPolicyScenario);
+  writeText(folder + text("/jrdb.json"), kJrdb);
+  writeText(folder + text("/socnav3.json"), kSocnav);
+  writeText(folder + text("/n/lattice.json"), QByteArray::fromStdString(nav2set::latticeText()));
+  QByteArray parameters = bytesOf(folder + text("/n/params_jazzy.yaml"));
+  parameters.replace("\"nav2_theta_star_planner::ThetaStarPlanner\"",
+                     "\"nav2_smac_planner::SmacPlannerLattice\"\n"
+                     "      lattice_filepath: \"lattice.json\"");
+  writeText(folder + text("/n/params_lattice.yaml"), parameters);
+}
+
 }  // namespace
 
 void MutationsTest::initTestCase() {
@@ -284,6 +463,48 @@ void MutationsTest::initTestCase() {
     const Ended ended = runForked(folder, words(command), 300);
     QVERIFY2(WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == 0, qPrintable(ended.err));
   }
+}
+
+void MutationsTest::json_otherThanExpected_isRefusedInOurWords_data() {
+  QTest::addColumn<int>("number");
+  for (std::size_t k = 0; k < std::size(kJsonKinds); ++k) {
+    QTest::newRow(kJsonKinds[k].name) << static_cast<int>(k);
+  }
+  writeJsonKinds(corpus().path());
+  const Ended packed = runForked(corpus().path(), words("pack r -q -o c.hnv"), 300);
+  QVERIFY2(WIFEXITED(packed.status) && WEXITSTATUS(packed.status) == 0, qPrintable(packed.err));
+  const std::string folder = corpus().path().toStdString();
+  const auto archive = capsule::ArchiveReader::open(folder + "/c.hnv");
+  QVERIFY(archive && (*archive)->extract(folder + "/c").empty());
+}
+
+/// No text of the JSON library, and the name of the file where it is refused.
+void MutationsTest::json_otherThanExpected_isRefusedInOurWords() {
+  QFETCH(int, number);
+  const JsonKind& kind = kJsonKinds[number];
+  const std::string whole = jsonOf(kind);
+  QVERIFY(!whole.empty());
+  int refused = 0, faults = 0;
+  for (const std::string& json : otherJson(whole)) {
+    QTemporaryDir place;
+    const QString folder = place.filePath(text("w"));
+    copyFolder(corpus().path(), folder);
+    putJson(kind, folder, json);
+    const Ended ended = runForked(folder, words(kind.command), kIsSanitized ? 120 : 30);
+    QString fault = faultOf(ended, false);
+    const bool isRefused = fault.isEmpty() && WEXITSTATUS(ended.status) == 2;
+    refused += isRefused ? 1 : 0;
+    if (isRefused && !isPlaced(ended.err, kind)) {
+      fault = text("does not name ") + text(kind.file);
+    }
+    if (!fault.isEmpty()) {
+      ++faults;
+      qWarning("%s: %s\n%s", qPrintable(fault), qPrintable(ended.err.left(500)),
+               json.substr(0, 300).c_str());
+    }
+  }
+  QCOMPARE(faults, 0);
+  QVERIFY(refused > 0);
 }
 
 void MutationsTest::damaged_isReadOrRefused() {

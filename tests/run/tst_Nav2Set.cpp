@@ -10,6 +10,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/Nav2Robots.h"
 #include "sim2d/base/Text.h"
+#include "tests/run/LatticeFile.h"
 #include "tests/run/Nav2Set.h"
 
 /// A set of parameter files as real robots have them: each is accepted, and nine of ten drive a
@@ -49,41 +50,6 @@ std::string errorsIn(const base::Diagnostics& problems) {
     all += problem.severity == base::Severity::Error ? problem.text() + "\n" : "";
   }
   return all;
-}
-
-/// Primitives of four headings: straight on, quarter circles of 0.4 m, turns on the spot.
-std::string latticeText() {
-  std::string primitives;
-  const auto add = [&](int start, int turn, double length, double arc) {
-    std::string poses;
-    for (int i = 0; i <= 10; ++i) {
-      const double from = start * base::kPi / 2.0, angle = turn * base::kPi / 2.0 * i / 10.0;
-      base::Vec2 place(length * i / 10.0, 0.0);
-      if (arc > 0.0) {
-        place = {0.4 * std::abs(std::sin(angle)), turn * 0.4 * (1.0 - std::cos(angle))};
-      }
-      place = base::Pose2{{0.0, 0.0}, from}.toWorld(place);
-      poses += std::string(i > 0 ? ", [" : "[") + base::formatDouble(place.x()) + ", " +
-               base::formatDouble(place.y()) + ", " + base::formatDouble(from + angle) + "]";
-    }
-    primitives += (primitives.empty() ? "" : ",\n") + std::string("{\"start_angle_index\": ") +
-                  std::to_string(start) +
-                  ", \"end_angle_index\": " + std::to_string((start + turn + 4) % 4) +
-                  ", \"left_turn\": " + (turn >= 0 ? "true" : "false") +
-                  ", \"trajectory_length\": " + base::formatDouble(length) +
-                  ", \"arc_length\": " + base::formatDouble(arc) + ", \"poses\": [" + poses + "]}";
-  };
-  for (int start = 0; start < 4; ++start) {
-    add(start, 0, 0.1, 0.0);
-    for (const int turn : {1, -1}) {
-      add(start, turn, 0.2 * base::kPi, 0.2 * base::kPi);
-      add(start, turn, 0.0, 0.0);
-    }
-  }
-  return "{\"lattice_metadata\": {\"motion_model\": \"diff\", \"turning_radius\": 0.4, "
-         "\"grid_resolution\": 0.05, \"num_of_headings\": 4, \"heading_angles\": [0.0, 1.5708, "
-         "3.14159, -1.5708]},\n\"primitives\": [\n" +
-         primitives + "\n]}\n";
 }
 
 std::string latticeParameters(const std::string& name, const std::string& json) {
@@ -159,7 +125,7 @@ void Nav2SetTest::files_areAccepted() {
 }
 
 void Nav2SetTest::lattice_fileBesideTheParameters_isRead() {
-  const std::string path = latticeParameters("lattice_good", latticeText());
+  const std::string path = latticeParameters("lattice_good", nav2set::latticeText());
   const base::Diagnostics problems = app::checkNav2Files({path});
   QVERIFY2(errorsIn(problems).empty(), errorsIn(problems).c_str());
   QVERIFY(std::none_of(problems.begin(), problems.end(), [](const base::Diagnostic& each) {
@@ -169,7 +135,7 @@ void Nav2SetTest::lattice_fileBesideTheParameters_isRead() {
 }
 
 void Nav2SetTest::lattice_badFile_isAnError() {
-  std::string text = latticeText();
+  std::string text = nav2set::latticeText();
   text.replace(text.find("\"end_angle_index\": 0"), 20, "\"end_angle_index\": 7");
   for (const std::string& json : {text, std::string("{"), std::string("[1]"), std::string()}) {
     const base::Diagnostics problems =
