@@ -169,6 +169,8 @@ class NumericFieldsTest : public QObject {
   void commandLine_anyNumber_isTakenOrRefused();
   void given_farTooLarge_isRefusedAtItsPlace_data();
   void given_farTooLarge_isRefusedAtItsPlace();
+  void file_farTooLarge_isRefusedAtItsPlace_data();
+  void file_farTooLarge_isRefusedAtItsPlace();
 };
 
 void NumericFieldsTest::initTestCase() {
@@ -376,6 +378,30 @@ void NumericFieldsTest::given_farTooLarge_isRefusedAtItsPlace() {
     QVERIFY2(signalOf(ended).isEmpty(), qPrintable(signalOf(ended)));
     QCOMPARE(WEXITSTATUS(ended.status), 2);
     QVERIFY2(ended.err.contains(told), qPrintable(ended.err));
+  }
+}
+
+void NumericFieldsTest::file_farTooLarge_isRefusedAtItsPlace_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<QString>("told");
+  QTest::newRow("mass") << text("mass_far_too_large.yaml")
+                        << text(":6:19: error: robot.mass: 3.0e+38 must be from 0.01 to 1e+05");
+  QTest::newRow("noise, two robots")
+      << text("noise_far_too_large.yaml")
+      << text(":7:91: error: r1.detector.noise: 1.0e+155 must be from 0 to 1000");
+}
+
+void NumericFieldsTest::file_farTooLarge_isRefusedAtItsPlace() {
+  QFETCH(QString, file);
+  QFETCH(QString, told);
+  write(file.toLatin1().constData(),
+        bytesOf(text(TEST_DATA_DIR "/scenario/bad/") + file).toStdString());
+  for (const char* words : {"check %1", "run %1 -q --duration 1"}) {
+    const Ended ended = run(text(words).arg(file));
+    QVERIFY2(signalOf(ended).isEmpty(), qPrintable(signalOf(ended)));
+    QCOMPARE(WEXITSTATUS(ended.status), 2);
+    QVERIFY2(ended.err.startsWith(file + told), qPrintable(ended.err));
+    QCOMPARE(ended.err.count(text("error: ")), 1);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <QtTest>
 
+#include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "tests/nav/ParamsFiles.h"
 
@@ -112,6 +113,17 @@ class Nav2BranchesTest : public QObject {
     QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
     QVERIFY(reading.parameters.distro >= Distro::Lyrical);
     QVERIFY(reading.parameters.collisionMonitor && !reading.parameters.collisionMonitor->enabled);
+  }
+
+  void read_repeatedKey_driverHasTheLast() {
+    const auto file = ParameterFile::read(SOURCE_DIR "/tests/data/nav2/nav2_duplicate_key.yaml");
+    QVERIFY(file);
+    const Nav2ReadResult reading = readNav2Parameters(*file);
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    const auto server =
+        makeControllerServer(reading.parameters.controllerServer, reading.parameters.distro);
+    QVERIFY(server);
+    QCOMPARE((*server)->parameters().frequency, 10.0);  // line 8, not 20 Hz of line 3
   }
 
   void read_keyOfAnotherDistro_isNotUsed() {
