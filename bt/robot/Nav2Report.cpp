@@ -188,6 +188,7 @@ class ConsistencyChecker {
     for (const Named& controller : controllers()) {
       checkScaling(controller);
       checkSpeed(controller);
+      checkLateral(controller);
       checkReach(controller);
       checkFootprint(controller);
       checkTolerance(controller);
@@ -348,6 +349,23 @@ class ConsistencyChecker {
     if (setup_ != nullptr && speed > setup_->body.limits.maxVel + 1e-9) {
       add("controller_server." + key, "nav2.faster-than",
           {key, speed, setup_->body.limits.maxVel, "robot '" + setup_->robot + "' (max_vel)"});
+    }
+  }
+
+  /// Key and value of a controller's maximum lateral speed [m/s]; 0: none.
+  std::pair<std::string, double> lateralSpeed(const Named& controller) const {
+    const std::string model = value<std::string>(controller.name + ".motion_model", "");
+    const bool isOmni = isMppi(controller) && (model == "Omni" || model == "omni");
+    const std::string key = controller.name + (isOmni ? ".vy_max" : ".max_vel_y");
+    return {key, isOmni || isDwb(controller) ? value(key, isOmni ? 0.5 : 0.0) : 0.0};
+  }
+
+  void checkLateral(const Named& controller) {
+    const auto [key, speed] = lateralSpeed(controller);
+    if (setup_ != nullptr && speed > 0.0 &&
+        setup_->body.kinematics != sim2d::Kinematics::Omnidirectional) {
+      add("controller_server." + key, "nav2.not-sideways",
+          {key, speed, setup_->robot, kinematicsName(setup_->body.kinematics)});
     }
   }
 

@@ -42,6 +42,7 @@ class Nav2FilesTest : public QObject {
   void body_ofTheFile_isTheRobots_data();
   void body_ofTheFile_isTheRobots();
   void body_thatTheFileLacks_isAWarning();
+  void lateralSpeed_isReportedForOtherKinematics();
   void strict_substitution_isAnErrorWithoutARun();
   void manifest_substitutions_haveFileLineWhatAndByWhat();
 
@@ -331,6 +332,34 @@ void Nav2FilesTest::body_ofTheFile_isTheRobots() {
     QCOMPARE(bodyIn(taken).radius, reach);
     QCOMPARE(static_cast<int>(bodyIn(taken).footprint.size()), corners);
     QVERIFY2(allOf(taken).find(" reaches ") == std::string::npos, allOf(taken).c_str());
+  }
+}
+
+/// The robot of the scenario is differential.
+void Nav2FilesTest::lateralSpeed_isReportedForOtherKinematics() {
+  const auto found = [&](const std::string& controller, const std::vector<std::string>& set) {
+    app::RunSpec options = optionsOf(
+        {write("lateral.yaml",
+               "controller_server:\n  ros__parameters:\n    FollowPath: " + controller + "\n")});
+    options.set = set;
+    return allOf(verdictOf(options));
+  };
+  const std::string mppi =
+      "{plugin: \"nav2_mppi_controller::MPPIController\", vy_max: 0.4, critics: [GoalCritic], "
+      "motion_model: ";
+  const std::string dwb =
+      "{plugin: \"dwb_core::DWBLocalPlanner\", max_vel_x: 0.3, max_vel_theta: 1.0, "
+      "critics: [GoalDist], max_vel_y: ";
+  const std::string reported = "drops the lateral part";
+  for (const std::string& controller : {mppi + "Omni}", dwb + "0.2}"}) {
+    const std::string text = found(controller, {});
+    QVERIFY2(text.find(reported) != std::string::npos, text.c_str());
+    const std::string omni = found(controller, {"robot1.kinematics=omnidirectional"});
+    QVERIFY2(omni.find(reported) == std::string::npos, omni.c_str());
+  }
+  for (const std::string& controller : {mppi + "DiffDrive}", dwb + "0.0}"}) {
+    const std::string text = found(controller, {});
+    QVERIFY2(text.find(reported) == std::string::npos, text.c_str());
   }
 }
 
