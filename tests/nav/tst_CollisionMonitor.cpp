@@ -308,6 +308,75 @@ class CollisionMonitorTest : public QObject {
     QVERIFY(left.action == MonitorAction::None && left.twist == (BodyTwist{0.5, 0.0}));
   }
 
+  void filter_exclusionZone_hidesItsPoints_data() {
+    QTest::addColumn<int>("frame");      // ZoneFrame: robot, odom, map
+    QTest::addColumn<double>("radius");  // above 0: a circle
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<bool>("enabled");
+    QTest::addColumn<double>("x");  // of the point in the frame of the robot
+    QTest::addColumn<bool>("stops");
+    // The polygon is 1.2 to 1.4 m ahead of the origin of its frame.
+    QTest::newRow("inside") << 0 << -1.0 << -1.0 << 1.0 << true << 1.3 << false;
+    QTest::newRow("beside it") << 0 << -1.0 << -1.0 << 1.0 << true << 1.5 << true;
+    QTest::newRow("disabled") << 0 << -1.0 << -1.0 << 1.0 << false << 1.3 << true;
+    QTest::newRow("above the beams") << 0 << -1.0 << 0.3 << 1.0 << true << 1.3 << true;
+    QTest::newRow("below the beams") << 0 << -1.0 << 0.0 << 0.1 << true << 1.3 << true;
+    QTest::newRow("circle") << 0 << 1.31 << -1.0 << 1.0 << true << 1.3 << false;
+    QTest::newRow("edge of the circle") << 0 << 1.29 << -1.0 << 1.0 << true << 1.3 << true;
+    // The robot is at x = 0.4 in odom, whose origin is at x = -0.7 in the map.
+    QTest::newRow("odom, inside") << 1 << -1.0 << -1.0 << 1.0 << true << 0.9 << false;
+    QTest::newRow("odom, outside") << 1 << -1.0 << -1.0 << 1.0 << true << 1.3 << true;
+    QTest::newRow("map, inside") << 2 << -1.0 << -1.0 << 1.0 << true << 1.6 << false;
+    QTest::newRow("map, outside") << 2 << -1.0 << -1.0 << 1.0 << true << 0.9 << true;
+  }
+
+  /// Points inside an exclusion zone do not trigger the polygons.
+  void filter_exclusionZone_hidesItsPoints() {
+    QFETCH(int, frame);
+    QFETCH(double, radius);
+    QFETCH(double, low);
+    QFETCH(double, high);
+    QFETCH(bool, enabled);
+    QFETCH(double, x);
+    QFETCH(bool, stops);
+    MonitorPolygon ahead = square("stop");
+    ahead.points = "[[2, 0.5], [2, -0.5], [0, -0.5], [0, 0.5]]";
+    ExclusionZone zone;
+    zone.enabled = enabled;
+    zone.type = radius > 0.0 ? "circle" : "polygon";
+    zone.radius = radius;
+    zone.points = "[[1.4, 0.1], [1.4, -0.1], [1.2, -0.1], [1.2, 0.1]]";
+    zone.minHeight = low;
+    zone.maxHeight = high;
+    zone.frame = static_cast<ZoneFrame>(frame);
+    CollisionMonitorParameters parameters = monitorOf({ahead});
+    parameters.zones = {zone};
+    Observation observation;
+    observation.pose = {{0.4, 0.0}, 0.0};
+    observation.frame = {{-0.7, 0.0}, 0.0};
+    const LaserScan scan = scanTo({0.4 + x, 0.0});
+    observation.scan = &scan;
+    const MonitoredCommand sent =
+        CollisionMonitor(parameters, {}, Distro::Lyrical).filter({0.5, 0.0}, observation);
+    QCOMPARE(sent.action == MonitorAction::Stop, stops);
+  }
+
+  void problemsOf_exclusionZones_areTold() {
+    ExclusionZone off;  // without corners
+    off.name = "off";
+    ExclusionZone empty = off, ellipse = off, flat = off, good = off;
+    empty.enabled = ellipse.enabled = flat.enabled = good.enabled = true;
+    ellipse.type = "ellipse";
+    flat.type = good.type = "circle";
+    good.radius = 0.5;
+    CollisionMonitorParameters parameters = monitorOf({square("stop")});
+    parameters.zones = {off, good};
+    QVERIFY(problemsOf(parameters).empty());
+    parameters.zones = {off, empty, ellipse, flat, good};
+    QCOMPARE(problemsOf(parameters).size(), std::size_t{3});
+  }
+
   void problemsOf_shapes_areTold() {
     QVERIFY(problemsOf(monitorOf({square("stop"), square("approach"), square("none")})).empty());
     MonitorPolygon shape = square("brake");

@@ -46,6 +46,44 @@ class Nav2BranchesTest : public QObject {
     QTest::newRow("monitor")
         << "collision_monitor:\n  ros__parameters: {polygons: [Stop], Stop: {max_points: 3}}\n"
         << 0;
+    const auto addKey = [](const char* name, const char* block, int distro) {
+      QTest::newRow(name) << block << distro;
+    };
+    addKey("smoothed odometry", "bt_navigator:\n  ros__parameters: {filter_duration: 0.3}\n", 2);
+    addKey("service introspection",
+           "planner_server:\n  ros__parameters: {service_introspection_mode: disabled}\n", 2);
+    addKey("footprint that is restored",
+           "local_costmap:\n  local_costmap:\n    ros__parameters:\n      plugins: [s]\n"
+           "      s: {plugin: 'nav2_costmap_2d::StaticLayer', restore_cleared_footprint: true}\n",
+           2);
+    addKey("goal heading",
+           "planner_server:\n  ros__parameters:\n    planner_plugins: [G]\n"
+           "    G: {plugin: 'nav2_smac_planner::SmacPlannerHybrid', goal_heading_mode: DEFAULT}\n",
+           2);
+    addKey("direction of a dock",
+           "docking_server:\n  ros__parameters:\n    dock_plugins: [d]\n"
+           "    d: {plugin: 'opennav_docking::SimpleChargingDock', dock_direction: forward}\n",
+           2);
+    addKey("statistics of critics",
+           "controller_server:\n  ros__parameters:\n    controller_plugins: [F]\n"
+           "    F: {plugin: 'nav2_mppi_controller::MPPIController', critics: [GoalCritic], "
+           "publish_critics_stats: true}\n",
+           2);
+    addKey("introspection", "planner_server:\n  ros__parameters: {introspection_mode: disabled}\n",
+           3);
+    addKey("partial plans", "planner_server:\n  ros__parameters: {allow_partial_planning: true}\n",
+           3);
+    addKey("exclusion zones", "collision_monitor:\n  ros__parameters: {exclusion_zones: [z]}\n", 3);
+    addKey("stamped footprint",
+           "local_costmap:\n  local_costmap:\n    ros__parameters: "
+           "{subscribe_to_stamped_footprint: true}\n",
+           3);
+    addKey("turning decelerations",
+           "controller_server:\n  ros__parameters:\n    controller_plugins: [F]\n    F: {plugin: "
+           "'nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController', "
+           "max_angular_decel: -3.2}\n",
+           3);
+    addKey("following server", "following_server:\n  ros__parameters: {max_retries: 3}\n", 1);
     QTest::newRow("any monitor") << "collision_monitor:\n  ros__parameters: {polygons: [Stop]}\n"
                                  << 1;
     QTest::newRow("nothing") << "controller_server:\n  ros__parameters: {a: 1}\n" << 1;
@@ -106,6 +144,15 @@ class Nav2BranchesTest : public QObject {
     QVERIFY(!readOf(kPursuit).parameters.isPartial);
   }
 
+  void looksLikeNav2_serverAlone_is() {
+    for (const char* const node : {"docking_server", "following_server", "route_server",
+                                   "waypoint_follower", "planner_server"}) {
+      QVERIFY2(looksLikeNav2(std::string(node) + ":\n  ros__parameters: {use_sim_time: true}\n"),
+               node);
+    }
+    QVERIFY(!looksLikeNav2("hunav_loader:\n  ros__parameters: {publish_people: true}\n"));
+  }
+
   void read_disabledMonitor_isKept() {
     const auto file = ParameterFile::read(SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml");
     QVERIFY(file);
@@ -124,6 +171,55 @@ class Nav2BranchesTest : public QObject {
         makeControllerServer(reading.parameters.controllerServer, reading.parameters.distro);
     QVERIFY(server);
     QCOMPARE((*server)->parameters().frequency, 10.0);  // line 8, not 20 Hz of line 3
+  }
+
+  void read_exclusionZones_haveAFrame() {
+    const std::string text = kPursuit + R"(collision_monitor:
+  ros__parameters:
+    base_frame_id: "chassis"
+    exclusion_zones: ["cart", "dock", "gate", "arm"]
+    cart: {enabled: true, points: "[[0.5, 0.2], [0.5, -0.2], [0.3, 0.0]]", frame_id: "chassis"}
+    dock: {enabled: true, type: "circle", radius: 0.4, frame_id: "/odom", frame_hold_timeout: 1.0}
+    gate: {enabled: true, type: "circle", radius: 0.5, frame_id: "map", visualize: true}
+    arm: {enabled: true, type: "circle", radius: 0.5, frame_id: "gripper"}
+)";
+    const Nav2ReadResult reading = readOf(text, Distro::Lyrical);
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    const auto& zones = reading.parameters.collisionMonitor->zones;
+    QCOMPARE(zones.size(), std::size_t{3});
+    QCOMPARE(zones[0].frame, ZoneFrame::Robot);
+    QCOMPARE(zones[1].frame, ZoneFrame::Odom);
+    QCOMPARE(zones[2].frame, ZoneFrame::Map);
+    QCOMPARE(zones[2].radius, 0.5);
+    const base::Diagnostic* const left = problemOf(reading.problems, "nav2.left-out");
+    QVERIFY2(left != nullptr, texts(reading.problems).c_str());
+    QVERIFY(left->message.find("collision_monitor.arm: 'gripper'") != std::string::npos);
+    QCOMPARE(left->line, 12);
+    const Nav2ReadResult jazzy = readOf(text, Distro::Jazzy);
+    QVERIFY(jazzy.parameters.collisionMonitor->zones.empty());
+    QCOMPARE(noteOf(jazzy, "collision_monitor.exclusion_zones")->use, KeyUse::OtherDistro);
+  }
+
+  void read_criticThatIsNotHere_hasKnownKeys() {
+    const Nav2ReadResult reading = readOf(R"(controller_server:
+  ros__parameters:
+    FollowPath:
+      plugin: "nav2_mppi_controller::MPPIController"
+      critics: ["CostCritic", "PathAlignLegacyCritic"]
+      PathAlignLegacyCritic: {cost_weight: 10.0}
+    Drive:
+      plugin: "dwb_core::DWBLocalPlanner"
+      critics: ["PathDist", "social_critics::Space"]
+      social_critics::Space: {scale: 2.0}
+    controller_plugins: ["FollowPath", "Drive"]
+)",
+                                          Distro::Humble);
+    QCOMPARE(noteOf(reading, "controller_server.FollowPath.PathAlignLegacyCritic.cost_weight")->use,
+             KeyUse::Ignored);
+    QCOMPARE(noteOf(reading, "controller_server.Drive.social_critics::Space.scale")->use,
+             KeyUse::Ignored);
+    QVERIFY(problemOf(reading.problems, "nav2.unnamed-block") == nullptr &&
+            problemOf(reading.problems, "nav2.unknown-key") == nullptr);
   }
 
   void read_keyOfAnotherDistro_isNotUsed() {

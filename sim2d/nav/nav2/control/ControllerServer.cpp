@@ -400,11 +400,7 @@ const std::vector<IgnoredKey>& ignoredControllerServerKeys() {
   static const std::vector<IgnoredKey> kKeys = {
       {"speed_limit_topic", "speed filters set the limits directly"},
       {"odom_topic", "ROS topics are not used"},
-      {"odom_duration", "the measured speed is that of the time step"},
-      {"use_realtime_priority", "threads are not used"},
-      {"action_server_result_timeout", "ROS actions are not used", kJazzy},
-      {"introspection_mode", "ROS actions are not used"},
-      {"enable_stamped_cmd_vel", "ROS topics are not used"},
+      {"odom_duration", "the measured speed is that of the time step", kSinceLyrical},
       {"search_window", "only used for the feedback of the action", kSinceLyrical},
   };
   return kKeys;

@@ -208,8 +208,6 @@ IgnoredKeys ignoredCostmapKeys() {
       {"map_topic", "the map is the scenario's", kUntilJazzy},
       {"map_vis_z", "only used by ROS displays", kSinceJazzy},
       {"observation_sources", "those of the layers are used", kUntilKilted},
-      {"use_sim_time", "time is always simulated"},
-      {"introspection_mode", "ROS services are not used"},
       {"subscribe_to_stamped_footprint", "the footprint is constant", kSinceLyrical},
   };
 }

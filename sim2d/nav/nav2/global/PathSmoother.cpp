@@ -130,9 +130,6 @@ IgnoredKeys ignoredKeysOf(const SmootherServerParameters&) {
       {"footprint_topic", "the footprint is passed directly"},
       {"robot_base_frame", "TF is not used"},
       {"transform_tolerance", "TF is not used"},
-      {"action_server_result_timeout", "ROS actions are not used", kJazzy},
-      {"bond_heartbeat_period", "there are no separate processes to monitor"},
-      {"introspection_mode", "ROS services are not used"},
   };
 }
 

@@ -191,7 +191,7 @@ IgnoredKeys ignoredKeysOf(const Smac2DParameters&) {
 IgnoredKeys ignoredKeysOf(const SmacHybridParameters&) {
   return {
       {"viz_expansions", "nothing is published"},
-      {"debug_visualizations", "nothing is published"},
+      {"debug_visualizations", "nothing is published", kSinceJazzy},
   };
 }
 
@@ -206,10 +206,6 @@ IgnoredKeys ignoredKeysOf(const SmacLatticeParameters&) {
 IgnoredKeys ignoredKeysOf(const PlannerServerParameters&) {
   return {
       {"expected_planner_frequency", "it only affects a warning on slow computers"},
-      {"action_server_result_timeout", "ROS actions are not used", kJazzy},
-      {"bond_heartbeat_period", "there are no separate processes to monitor"},
-      {"service_introspection_mode", "ROS services are not used"},
-      {"introspection_mode", "ROS services are not used"},
   };
 }
 

@@ -456,14 +456,25 @@ Nav2KeyTable mppiKeysOf(const Nav2ParameterBlock& block, Distro distro) {
     const auto& listed = given.critics;
     if (std::find(listed.begin(), listed.end(), name) != listed.end()) {
       addKeyRows(keys, table, critic, prefix);
-      keys.ignored.push_back(
-          {prefix + "inflation_layer_name", "this program uses a single inflation layer"});
+      const bool isCost = prefix == "CostCritic.";
+      if (isCost || prefix == "ObstaclesCritic.") {
+        keys.ignored.push_back({prefix + "inflation_layer_name",
+                                "this program uses a single inflation layer",
+                                isCost ? kAllDistros : kSinceJazzy});
+      }
       return;
     }
     for (const auto& key : table) {
-      keys.ignored.push_back({prefix + key.name, std::string(name) + " is not in critics"});
+      keys.ignored.push_back(
+          {prefix + key.name, std::string(name) + " is not in critics", key.distros});
     }
   });
+  const std::vector<std::string> known = knownCritics();
+  for (const std::string& name : given.critics) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      keys.ignored.push_back({name + ".", "the critic is not re-implemented"});
+    }
+  }
   return keys;
 }
 

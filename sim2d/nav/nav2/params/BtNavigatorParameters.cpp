@@ -29,11 +29,10 @@ const std::vector<IgnoredKey>& ignoredBtNavigatorKeys() {
       {"default_server_timeout", "servers respond immediately"},
       {"default_cancel_timeout", "servers respond immediately", kSinceJazzy},
       {"wait_for_service_timeout", "servers respond immediately"},
-      {"action_server_result_timeout", "results cannot be lost", kJazzy},
       {"filter_duration", "speeds are always smoothed over 0.3 s", kSinceKilted},
       {"navigators", "the navigator NavigateToPose is used", kSinceJazzy},
-      {"navigate_to_pose.", "the navigator NavigateToPose is used"},
-      {"navigate_through_poses.", "robots with several goals use this navigator"},
+      {"navigate_to_pose.", "the navigator NavigateToPose is used", kSinceJazzy},
+      {"navigate_through_poses.", "robots with several goals use this navigator", kSinceJazzy},
       {"navigate_through_pose.", "the robot drives to goals one by one"},
       {"plugin_lib_names", "all nodes of Nav2 are available"},
       {"path_blackboard_id", "trees define their own path entries"},
@@ -58,7 +57,7 @@ const std::vector<IgnoredKey>& ignoredBtNavigatorKeys() {
 }
 
 const char* ignoredNodeReason(const std::string& node) {
-  static constexpr std::array<IgnoredKey, 23> kNodes = {
+  static constexpr std::array<IgnoredKey, 24> kNodes = {
       {{"amcl", "the scenario's `localization` replaces it"},
        {"amcl_map_client", "the scenario's `localization` replaces it"},
        {"amcl_rclcpp_node", "the scenario's `localization` replaces it"},
@@ -71,6 +70,7 @@ const char* ignoredNodeReason(const std::string& node) {
        {"lifecycle_manager_navigation", "all nodes run from the start"},
        {"lifecycle_manager_localization", "all nodes run from the start"},
        {"robot_state_publisher", "TF is not used"},
+       {"base_footprint_publisher", "TF is not used"},
        {"loopback_simulator", "this program is the simulator"},
        {"keepout_filter_mask_server", "it has no mask file (yaml_filename)"},
        {"speed_filter_mask_server", "it has no mask file (yaml_filename)"},

@@ -23,10 +23,11 @@ struct NodeEvidence {
   std::string_view node;
   unsigned distros;
 };
-constexpr std::array<NodeEvidence, 4> kNodeEvidence = {{{"recoveries_server", kHumble},
-                                                        {"docking_server", kSinceJazzy},
-                                                        {"loopback_simulator", kSinceJazzy},
-                                                        {"following_server", kSinceLyrical}}};
+constexpr std::array<NodeEvidence, 4> kNodeEvidence = {
+    {{"recoveries_server", kHumble},
+     {"docking_server", kSinceJazzy},
+     {"loopback_simulator", kSinceJazzy},
+     {"following_server", kJazzy | kSinceLyrical}}};
 
 class DistroScores {
  public:

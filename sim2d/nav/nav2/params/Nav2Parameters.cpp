@@ -51,6 +51,7 @@ class Nav2FileReader {
 
   void read() {
     to_.nodeNames = listNodes();
+    to_.frames = frameNamesOf(file_, options_.robot);
     readCostmaps();
     readControllers();
     readPlanners();
@@ -58,7 +59,6 @@ class Nav2FileReader {
     const auto start = [this](const std::string& node) { return reader(node); };
     readMotionServers(to_, start, file_);
     readNavigator();
-    to_.frames = frameNamesOf(file_, options_.robot);
     readRoutes();
     readDocking(to_, start, file_);
     readMasks(to_, start, file_);

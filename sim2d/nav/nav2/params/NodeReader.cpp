@@ -25,22 +25,22 @@ constexpr std::array<IgnoredKey, 21> kIgnoredInAllNodes = {{
     {"qos_overrides.", "ROS topics are not used"},
     {"start_type_description_service", "ROS services are not used"},
     {"enable_logger_service", "ROS services are not used"},
-    {"allow_parameter_qos_overrides", "ROS topics are not used"},
-    {"introspection_mode", "ROS services are not used"},
-    {"service_introspection_mode", "ROS services are not used"},
+    {"allow_parameter_qos_overrides", "ROS topics are not used", kSinceLyrical},
+    {"introspection_mode", "ROS services are not used", kSinceLyrical},
+    {"service_introspection_mode", "ROS services are not used", kKilted},
     {"action_server_result_timeout", "results cannot be lost", kJazzy},
-    {"strict_param_loading", "this program checks parameters itself"},
-    {"warn_on_missing_params", "this program checks parameters itself"},
+    {"strict_param_loading", "this program checks parameters itself", kSinceJazzy},
+    {"warn_on_missing_params", "this program checks parameters itself", kSinceJazzy},
     {"yaml_filename", "the scenario names the map"},
-    {"bond_heartbeat_period", "nodes do not monitor each other"},
+    {"bond_heartbeat_period", "nodes do not monitor each other", kSinceJazzy},
     {"bond_timeout", "nodes do not monitor each other"},
     {"bond_disable_heartbeat_timeout", "nodes do not monitor each other"},
     {"disable_heartbeat_timeout", "nodes do not monitor each other"},
     {"autostart", "all servers run from the start"},
-    {"autostart_node", "all servers run from the start"},
-    {"enable_stamped_cmd_vel", "ROS messages are not used"},
-    {"stamp_smoothed_velocity_with_smoothing_time", "commands have no time stamps"},
-    {"use_realtime_priority", "time is always simulated"},
+    {"autostart_node", "all servers run from the start", kSinceJazzy},
+    {"enable_stamped_cmd_vel", "ROS messages are not used", kSinceJazzy},
+    {"stamp_smoothed_velocity_with_smoothing_time", "commands have no time stamps", kJazzy},
+    {"use_realtime_priority", "threads are not used", kSinceJazzy},
     {"transform_tolerance", "TF is not used"},
 }};
 
@@ -383,7 +383,7 @@ std::vector<std::string> uniquePluginNames(NodeReader& node, const std::string& 
 
 std::string pluginClass(NodeReader& node, const std::string& name, const std::string& fallback) {
   const std::string key = name + ".plugin";
-  if (const auto given = node.value<std::string>(key)) {
+  if (const auto given = node.value<std::string>(key, fallback)) {
     return *given;
   }
   if (!node.has(key) && fallback.empty() && !node.isPlaceholder(key)) {

@@ -89,11 +89,11 @@ class NodeReader {
     return applyBlock(std::move(parameters), table, block, distro_, none);
   }
   /// One string, list of strings or number; nullopt when it is absent or has a wrong type
-  /// (reported).
+  /// (reported). `fallback`: the default that is reported.
   template <class T>
-  std::optional<T> value(const std::string& name) {
+  std::optional<T> value(const std::string& name, const T& fallback = T()) {
     Nav2KeyTable keys;
-    keys.rows.push_back({name, Nav2Value(T()), {}, {}, kAllDistros});
+    keys.rows.push_back({name, Nav2Value(fallback), {}, {}, kAllDistros});
     const Nav2ParameterBlock block = read({}, keys);
     const auto found = block.find(name);
     return found == block.end() ? std::nullopt : std::optional<T>(std::get<T>(found->second));

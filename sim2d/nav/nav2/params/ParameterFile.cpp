@@ -195,17 +195,12 @@ std::optional<ParameterOverride> parameterOverride(const std::string& text) {
 
 namespace {
 
-constexpr std::string_view kWellKnownNodes[] = {"controller_server",
-                                                "planner_server",
-                                                "bt_navigator",
-                                                "local_costmap",
-                                                "global_costmap",
-                                                "behavior_server",
-                                                "smoother_server",
-                                                "velocity_smoother",
-                                                "collision_monitor",
-                                                "recoveries_server",
-                                                "amcl"};
+constexpr std::string_view kWellKnownNodes[] = {
+    "controller_server", "planner_server",    "bt_navigator",
+    "local_costmap",     "global_costmap",    "behavior_server",
+    "smoother_server",   "velocity_smoother", "collision_monitor",
+    "docking_server",    "following_server",  "route_server",
+    "waypoint_follower", "recoveries_server", "amcl"};
 
 }  // namespace
 

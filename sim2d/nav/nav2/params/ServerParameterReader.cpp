@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -144,7 +145,36 @@ MonitorPolygon readShape(NodeReader& node, const std::string& name) {
   return shape;
 }
 
-CollisionMonitorParameters readCollisionMonitor(NodeReader node) {
+/// The kind of a frame; nullopt: no such frame.
+std::optional<ZoneFrame> zoneFrameOf(const std::string& frameId, const FrameNames& frames) {
+  const std::string name = !frameId.empty() && frameId.front() == '/' ? frameId.substr(1) : frameId;
+  if (name.empty() || std::binary_search(frames.onRobot.begin(), frames.onRobot.end(), name)) {
+    return ZoneFrame::Robot;
+  }
+  return name == frames.odom  ? std::optional(ZoneFrame::Odom)
+         : name == frames.map ? std::optional(ZoneFrame::Map)
+                              : std::nullopt;
+}
+
+/// A zone in an unknown frame is left out.
+void readZone(NodeReader& node, const std::string& name, const FrameNames& frames,
+              std::vector<ExclusionZone>& to) {
+  ExclusionZone zone =
+      node.read(name + ".", exclusionZoneKeys(), ignoredExclusionZoneKeys(), ExclusionZone());
+  zone.name = name;
+  const std::optional<ZoneFrame> frame = zoneFrameOf(zone.frameId, frames);
+  if (frame) {
+    zone.frame = *frame;
+    to.push_back(std::move(zone));
+  } else if (zone.enabled) {
+    node.report(name + ".frame_id",
+                base::warning("nav2.left-out", {node.node() + "." + name, zone.frameId,
+                                                "a frame that is neither on the robot nor odom "
+                                                "or map"}));
+  }
+}
+
+CollisionMonitorParameters readCollisionMonitor(NodeReader node, const FrameNames& frames) {
   CollisionMonitorParameters monitor = node.read(
       {}, collisionMonitorKeys(), ignoredCollisionMonitorKeys(), CollisionMonitorParameters());
   for (const std::string& name : uniquePluginNames(node, "polygons", monitor.polygons)) {
@@ -157,6 +187,10 @@ CollisionMonitorParameters readCollisionMonitor(NodeReader node) {
     source = node.read(name + ".", monitorSourceKeys(), ignoredCollisionMonitorKeys(), source);
     source.name = name;
     monitor.sources.push_back(std::move(source));
+  }
+  for (const std::string& name :
+       uniquePluginNames(node, "exclusion_zones", monitor.exclusionZones)) {
+    readZone(node, name, frames, monitor.zones);
   }
   reportProblems(node, problemsOf(monitor));
   node.finish();
@@ -172,7 +206,7 @@ void readMotionServers(Nav2Parameters& to,
   readBehaviors(reader(isPreHumble ? "recoveries_server" : "behavior_server"), to.behaviors);
   to.velocitySmoother = readVelocitySmoother(reader("velocity_smoother"));
   if (file.hasNode("collision_monitor")) {
-    to.collisionMonitor = readCollisionMonitor(reader("collision_monitor"));
+    to.collisionMonitor = readCollisionMonitor(reader("collision_monitor"), to.frames);
   }
 }
 

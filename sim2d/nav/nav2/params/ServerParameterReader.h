@@ -23,7 +23,7 @@ CostmapSettings readCostmap(NodeReader& node);
 void readDocking(Nav2Parameters& to, const std::function<NodeReader(const std::string&)>& reader,
                  const ParameterFile& file);
 
-/// Behaviors, velocity smoother and collision monitor.
+/// Behaviors, velocity smoother and collision monitor. Precondition: `to.frames` is set.
 void readMotionServers(Nav2Parameters& to,
                        const std::function<NodeReader(const std::string&)>& reader,
                        const ParameterFile& file);

@@ -42,7 +42,6 @@ IgnoredKeys ignoredRouteServerKeys() {
           {"max_planning_time",
            "runs are independent of the computer: max_iterations limits the "
            "search"},
-          {"action_server_result_timeout", "results cannot be lost"},
           {"graph_file_loader", "graphs are read by GeoJsonGraphFileLoader"},
           {"GeoJsonGraphFileLoader.", "graphs are read by GeoJsonGraphFileLoader"},
           {"graph_file_saver", "graphs are not saved"},

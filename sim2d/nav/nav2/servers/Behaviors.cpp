@@ -114,9 +114,6 @@ IgnoredKeys ignoredBehaviorKeys() {
       {"robot_base_frame", "all base frames of a robot are identical"},
       {"transform_tolerance", "TF is not used"},
       {"cmd_vel_teleop", "ROS topics are not used"},
-      {"enable_stamped_cmd_vel", "ROS topics are not used"},
-      {"use_sim_time", "time is always simulated"},
-      {"introspection_mode", "ROS services are not used"},
   };
 }
 

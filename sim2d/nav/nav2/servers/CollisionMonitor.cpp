@@ -32,6 +32,8 @@ constexpr std::array<const char*, 3> kShapeTypes = {"polygon", "circle", "veloci
 constexpr std::array<const char*, 5> kActionTypes = {"none", "stop", "slowdown", "limit",
                                                      "approach"};
 
+constexpr double kBeamHeight = 0.2;  // [m], of the lidar's plane
+
 template <std::size_t N>
 bool isShapeName(const std::string& word, const std::array<const char*, N>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -110,6 +112,22 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
   }
 }
 
+/// The values of a disabled zone are not used.
+void checkZone(const ExclusionZone& zone, base::Diagnostics& problems) {
+  ParameterChecks checks(problems, zone.name + ".");
+  if (!zone.enabled) {
+    return;
+  }
+  if (checks.require(zone.type == "polygon" || zone.type == "circle", "type",
+                     "polygon or circle")) {
+    if (zone.type == "circle") {
+      checks.require(zone.radius > 0.0, "radius", "above 0");
+    } else {
+      base::append(problems, readPolygon(zone.points).diagnostics());
+    }
+  }
+}
+
 }  // namespace
 
 Nav2Keys<CollisionMonitorParameters> collisionMonitorKeys() {
@@ -120,6 +138,8 @@ Nav2Keys<CollisionMonitorParameters> collisionMonitorKeys() {
        "Age above which a scan is ignored; since Jazzy the robot then stops; 0: it does not stop."},
       {"polygons", &P::polygons, "", "Names of the polygons, in the order of evaluation."},
       {"observation_sources", &P::observationSources, "", "Names of the sources."},
+      {"exclusion_zones", &P::exclusionZones, "", "Names of the zones whose points are not used.",
+       kSinceLyrical},
   };
 }
 
@@ -175,6 +195,29 @@ Nav2Keys<MonitorSource> monitorSourceKeys() {
   };
 }
 
+Nav2Keys<ExclusionZone> exclusionZoneKeys() {
+  using P = ExclusionZone;
+  return onlyIn<Nav2Key<P>>(
+      kSinceLyrical,
+      {
+          {"enabled", &P::enabled, "", "Whether the zone is used."},
+          {"type", &P::type, "", "polygon, or circle around the origin of the frame."},
+          {"points", &P::points, "m", "Corners: \"[[x, y], …]\"."},
+          {"radius", &P::radius, "m", "Radius of a circle."},
+          {"min_height", &P::minHeight, "m",
+           "A zone that begins above the plane of the lidar (0.2 m) has no effect."},
+          {"max_height", &P::maxHeight, "m",
+           "A zone that ends below the plane of the lidar (0.2 m) has no effect."},
+          {"frame_id", &P::frameId, "",
+           "Frame of the zone: on the robot, odom or map; empty: base_frame_id."},
+      });
+}
+
+IgnoredKeys ignoredExclusionZoneKeys() {
+  return {{"visualize", "only used by ROS displays", kSinceLyrical},
+          {"frame_hold_timeout", "transforms are never late", kSinceLyrical}};
+}
+
 IgnoredKeys ignoredCollisionMonitorKeys() {
   return {
       {"base_frame_id", "all base frames of a robot are identical"},
@@ -193,18 +236,14 @@ IgnoredKeys ignoredCollisionMonitorKeys() {
       {"polygon_sub_topic", "polygons are constant"},
       {"trigger_consecutive_points", "treated as 1", kSinceLyrical},
       {"release_consecutive_points", "treated as 1", kSinceLyrical},
-      {"polygon_subscribe_transient_local", "polygons are constant"},
-      {"sources_names", "the robot has a single lidar"},
-      {"min_range", "the scan is that of the robot"},
-      {"use_global_height", "the lidar is planar"},
-      {"sampling_distance", "polygons of other nodes are not supported as sources"},
+      {"polygon_subscribe_transient_local", "polygons are constant", kSinceJazzy},
+      {"sources_names", "the robot has a single lidar", kSinceJazzy},
+      {"min_range", "the scan is that of the robot", kSinceJazzy},
+      {"use_global_height", "the lidar is planar", kSinceJazzy},
+      {"sampling_distance", "polygons of other nodes are not supported as sources", kSinceJazzy},
       {"obstacles_angle", "ultrasound and infrared sensors are not supported as sources"},
-      {"transport_type", "ROS topics are not used"},
-      {"collision_points_marker_3d", "only used by ROS displays"},
-      {"use_realtime_priority", "time is always simulated"},
-      {"enable_stamped_cmd_vel", "ROS topics are not used"},
-      {"use_sim_time", "time is always simulated"},
-      {"introspection_mode", "ROS services are not used"},
+      {"transport_type", "ROS topics are not used", kSinceLyrical},
+      {"collision_points_marker_3d", "only used by ROS displays", kSinceLyrical},
   };
 }
 
@@ -212,6 +251,9 @@ base::Diagnostics problemsOf(const CollisionMonitorParameters& parameters) {
   base::Diagnostics problems;
   for (const MonitorPolygon& shape : parameters.shapes) {
     checkShape(shape, problems);
+  }
+  for (const ExclusionZone& zone : parameters.zones) {
+    checkZone(zone, problems);
   }
   return problems;
 }
@@ -245,6 +287,13 @@ CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
       shape.choices.push_back(corners ? *corners : Polygon{});
     }
     shapes_.push_back(std::move(shape));
+  }
+  for (const ExclusionZone& zone : parameters_.zones) {
+    if (zone.enabled && zone.minHeight <= kBeamHeight && zone.maxHeight >= kBeamHeight) {
+      const base::Result<Polygon> corners = readPolygon(zone.points);
+      zones_.push_back(
+          {zone.frame, zone.radius, zone.type == "circle" || !corners ? Polygon{} : *corners});
+    }
   }
 }
 
@@ -294,12 +343,24 @@ bool CollisionMonitor::gatherPoints(const Observation& observation) {
     return isRight;
   }
   for (std::size_t i = 0; i < scan->distances.size(); ++i) {
-    if (scan->distances[i] < scan->range) {
-      points_.push_back(observation.pose.toLocal(
-          scan->sensor.position + scan->distances[i] * base::directionOf(scan->angle(i))));
+    const Vec2 point =
+        scan->sensor.position + scan->distances[i] * base::directionOf(scan->angle(i));
+    if (scan->distances[i] < scan->range && !isExcluded(point, observation)) {
+      points_.push_back(observation.pose.toLocal(point));
     }
   }
   return true;
+}
+
+/// Whether a point in the frame of the observation is in an exclusion zone.
+bool CollisionMonitor::isExcluded(const Vec2& point, const Observation& observation) const {
+  return std::any_of(zones_.begin(), zones_.end(), [&](const Zone& zone) {
+    const Vec2 inZone = zone.frame == ZoneFrame::Robot ? observation.pose.toLocal(point)
+                        : zone.frame == ZoneFrame::Map ? observation.frame.toWorld(point)
+                                                       : point;
+    return zone.corners.empty() ? inZone.squaredNorm() < zone.radius * zone.radius
+                                : isInPolygon(inZone, zone.corners);
+  });
 }
 
 /// Selects the corners for a command; keeps the previous ones if none apply.

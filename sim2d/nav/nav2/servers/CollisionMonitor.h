@@ -48,18 +48,38 @@ struct MonitorSource {
   double sourceTimeout = 2.0;  // [s]; default: that of the node
 };
 
+/// Frame of an exclusion zone.
+enum class ZoneFrame : std::uint8_t { Robot, Odom, Map };
+
+/// An entry of `exclusion_zones`: points inside are not used.
+struct ExclusionZone {
+  std::string name;  // not a key
+  bool enabled = false;
+  std::string type = "polygon";  // or circle, around the origin of the frame
+  std::string points;            // "[[x, y], …]" [m]
+  double radius = -1.0;          // [m]
+  double minHeight = -kNoHeight, maxHeight = kNoHeight;  // [m]
+  std::string frameId;                                   // empty: base_frame_id
+  ZoneFrame frame = ZoneFrame::Robot;                    // not a key: kind of `frameId`
+
+  static constexpr double kNoHeight = 1e9;  // in Nav2 the largest number
+};
+
 struct CollisionMonitorParameters {
   bool enabled = true;
   double sourceTimeout = 2.0;  // [s]
-  std::vector<std::string> polygons, observationSources;
+  std::vector<std::string> polygons, observationSources, exclusionZones;
   std::vector<MonitorPolygon> shapes;  // not a key: blocks of `polygons`, in that order
   std::vector<MonitorSource> sources;  // not a key: blocks of `observation_sources`
+  std::vector<ExclusionZone> zones;    // not a key: blocks of `exclusion_zones`
 };
 Nav2Keys<CollisionMonitorParameters> collisionMonitorKeys();
 Nav2Keys<MonitorPolygon> monitorPolygonKeys();
 Nav2Keys<VelocitySubPolygon> velocitySubPolygonKeys();
 Nav2Keys<MonitorSource> monitorSourceKeys();
+Nav2Keys<ExclusionZone> exclusionZoneKeys();
 IgnoredKeys ignoredCollisionMonitorKeys();
+IgnoredKeys ignoredExclusionZoneKeys();
 base::Diagnostics problemsOf(const CollisionMonitorParameters& parameters);
 
 /// Whether a point is inside a polygon (even-odd rule).
@@ -91,7 +111,13 @@ class CollisionMonitor {
     double reach = 0.0;            // [m], radius or distance of the farthest corner
     std::vector<Polygon> choices;  // polygons of keys.subPolygons
   };
+  struct Zone {
+    ZoneFrame frame = ZoneFrame::Robot;
+    double radius = 0.0;  // [m], of a circle
+    Polygon corners;      // empty for a circle
+  };
   bool gatherPoints(const Observation& observation);
+  bool isExcluded(const Vec2& point, const Observation& observation) const;
   static void selectCorners(Shape& shape, const BodyTwist& command);
   static void setCorners(Shape& shape, const Polygon& corners);
   static bool isTriggered(const Shape& shape, const std::vector<Vec2>& points);
@@ -101,6 +127,7 @@ class CollisionMonitor {
 
   CollisionMonitorParameters parameters_;
   std::vector<Shape> shapes_;
+  std::vector<Zone> zones_;
   Distro distro_;
   std::vector<Vec2> points_, near_, moved_;  // robot frame [m]
 };

@@ -46,10 +46,6 @@ Nav2Keys<VelocitySmootherParameters> velocitySmootherKeys() {
 IgnoredKeys ignoredVelocitySmootherKeys() {
   return {
       {"odom_topic", "the odometry is that of the robot"},
-      {"use_sim_time", "time is always simulated"},
-      {"use_realtime_priority", "threads are not used"},
-      {"enable_stamped_cmd_vel", "ROS topics are not used"},
-      {"bond_heartbeat_period", "lifecycle nodes are not used"},
   };
 }
 

@@ -84,6 +84,8 @@ const std::vector<IgnoredKey>& ignoredDwbKeys() {
       {"marker_lifetime", "ROS topics are not used"},
       {"odom_topic", "ROS topics are not used", kUntilKilted},
       {"controller_frequency", "that of the server is used", kSinceLyrical},
+      {"path_length_tolerance", "always 1 m, as in Nav2, whose name of this key lacks a dot",
+       kSinceLyrical},
   };
   return kKeys;
 }
@@ -261,6 +263,8 @@ Nav2KeyTable dwbKeysOf(const Nav2ParameterBlock& given, Distro distro) {
     const DwbCriticType* type = dwbCriticType(criticClass(given, name), namespacesOf(parameters));
     if (type != nullptr) {
       addKeyRows(keys, type->keys, DwbCriticParameters(), name + ".");
+    } else {
+      keys.ignored.push_back({name + ".", "the critic is not re-implemented"});
     }
   }
   return keys;
