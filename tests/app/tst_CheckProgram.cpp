@@ -81,6 +81,97 @@ class CheckProgramTest : public QObject {
         2);
   }
 
+  void check_nav2Distro_readsItsKeys_data() {
+    QTest::addColumn<QString>("distro");
+    QTest::addColumn<QStringList>("read");     // keys that it has
+    QTest::addColumn<QStringList>("refused");  // sentences about the others
+    const auto of = [](const char* title, const std::vector<const char*>& keys) {
+      QStringList sentences;
+      for (const char* const key : keys) {
+        sentences << text(key) + text(": ") + text(title) + text(" does not read it");
+      }
+      return sentences;
+    };
+    const char* const jazzyTimeout =
+        "planner_server.action_server_result_timeout is a key of Jazzy";
+    const char* const services = "planner_server.service_introspection_mode is a key of Kilted";
+    const char* const filter = "bt_navigator.filter_duration is a key of Kilted, Lyrical and main";
+    const char* const partial =
+        "planner_server.allow_partial_planning is a key of Lyrical and main";
+    QTest::newRow("jazzy") << "jazzy" << QStringList{text("action_server_result_timeout")}
+                           << of("Jazzy", {services, filter, partial});
+    QTest::newRow("kilted") << "kilted"
+                            << QStringList{text("service_introspection_mode"),
+                                           text("filter_duration")}
+                            << of("Kilted", {jazzyTimeout, partial});
+    QTest::newRow("lyrical") << "lyrical"
+                             << QStringList{text("filter_duration"), text("allow_partial_planning")}
+                             << of("Lyrical", {jazzyTimeout, services});
+  }
+
+  /// The distribution is used, reported, and rejects keys of others. The manifest names it too.
+  void check_nav2Distro_readsItsKeys() {
+    QFETCH(QString, distro);
+    QFETCH(QStringList, read);
+    QFETCH(QStringList, refused);
+    QTemporaryDir folder;
+    const QString file = folder.filePath(text("p.yaml"));
+    writeText(file,
+              "controller_server:\n  ros__parameters:\n    FollowPath:\n      plugin: "
+              "\"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\"\n"
+              "planner_server:\n  ros__parameters:\n    action_server_result_timeout: 10.0\n"
+              "    service_introspection_mode: \"disabled\"\n"
+              "    allow_partial_planning: true\n"
+              "bt_navigator:\n  ros__parameters:\n    filter_duration: 0.3\n");
+    const Finished checked = runProgram("check % --nav2-distro %", {file, distro});
+    QCOMPARE(checked.exitCode, 0);
+    for (const QString& sentence : std::as_const(refused)) {
+      QVERIFY2(checked.err.contains(sentence), qPrintable(checked.err));
+    }
+    for (const QString& key : std::as_const(read)) {
+      QVERIFY2(!checked.err.contains(key + text(" is a key of")), qPrintable(checked.err));
+    }
+    QCOMPARE(checked.err.count(text("does not read it")), refused.size());
+    QVERIFY2(!checked.err.contains(text("read as a file of")),
+             qPrintable(checked.err));  // no guess
+
+    const QString out = folder.filePath(text("out"));
+    QCOMPARE(failureOf("run crossing_agents --planner nav2 --nav2-params % --nav2-distro % "
+                       "--duration 0.1 -q -o %",
+                       {file, distro, out}),
+             QString());
+    const QJsonObject manifest =
+        QJsonDocument::fromJson(bytesOf(out + text("/manifest.json"))).object();
+    const QJsonObject nav2 =
+        manifest[text("robots")].toArray().at(0).toObject()[text("nav2")].toObject();
+    QCOMPARE(nav2[text("distro")].toString(), distro);
+    QCOMPARE(nav2[text("distro_guessed")].toBool(true), false);
+    QCOMPARE(runProgram("check % --nav2-distro iron", {file}).exitCode, 64);
+  }
+
+  void check_nav2DistroGuessed_isReported_data() {
+    QTest::addColumn<QByteArray>("node");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("kilted") << QByteArray(
+                                   "bt_navigator:\n  ros__parameters: {filter_duration: 0.3}\n")
+                            << "read as a file of kilted: line 6: key filter_duration";
+    QTest::newRow("lyrical")
+        << QByteArray("planner_server:\n  ros__parameters: {allow_partial_planning: true}\n")
+        << "read as a file of lyrical: line 6: key allow_partial_planning";
+  }
+
+  void check_nav2DistroGuessed_isReported() {
+    QFETCH(QByteArray, node);
+    QFETCH(QString, message);
+    QTemporaryDir folder;
+    const QString file = folder.filePath(text("p.yaml"));
+    writeText(file,
+              "controller_server:\n  ros__parameters:\n    FollowPath:\n      plugin: "
+              "\"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\"\n" +
+                  node);
+    QCOMPARE(unexpected(runProgram("check %", {file}), 0, message), QString());
+  }
+
   void check_experiment_itsScenariosAreChecked() {
     QTemporaryDir folder;
     const QByteArray scenario = bytesOf(text(SOURCE_DIR "/maps/planners/doorway_agents.yaml"));
