@@ -100,7 +100,7 @@ class NumericFields {
     addParameters(robots);
   }
   const std::vector<NumericField>& all() const { return all_; }
-  /// Keys whose range has no end on one side.
+  /// Keys whose range has no end on one side, but for numbers of 64 bits (the seed).
   const std::vector<std::string>& unbounded() const { return unbounded_; }
 
  private:
@@ -136,11 +136,15 @@ class NumericFields {
     if (!isNumeric(spec)) {
       return;
     }
+    noteEnds(name, spec, is64Bit);
+    push(name, places, valuesOf(spec), isList(spec));
+  }
+
+  void noteEnds(const std::string& name, const base::ParameterSpec& spec, bool is64Bit) {
     const bool hasEnds = std::isfinite(spec.range.low) && std::isfinite(spec.range.high);
-    if (!hasEnds && !is64Bit && !isInteger(spec)) {  // integers are those of 32 bits
+    if (!hasEnds && !is64Bit) {
       unbounded_.push_back(name);
     }
-    push(name, places, valuesOf(spec), isList(spec));
   }
 
   static YamlPath pathOf(const char* node, const YamlPath& inner, const std::string& key) {
@@ -210,6 +214,13 @@ class NumericFields {
       for (const base::ParameterSpec& spec : known.planners.find(planner)->parameters) {
         addSpec(planner + "." + spec.key, spec, false,
                 {pathOf(kBlock, {robot, "planner_parameters"}, spec.key)});
+      }
+    }
+    for (const auto& planner : known.planners.entries()) {  // others of this build too
+      for (const base::ParameterSpec& spec : planner.parameters) {
+        if (isNumeric(spec)) {
+          noteEnds(planner.name + "." + spec.key, spec, false);
+        }
       }
     }
     for (const auto& model : known.models.entries()) {

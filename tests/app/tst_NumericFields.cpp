@@ -7,6 +7,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/run/Experiment.h"
 #include "sim2d/map/MapReader.h"
+#include "sim2d/nav/onnx/PolicyNetwork.h"
 #include "tests/app/ForkedProgram.h"
 #include "tests/app/NumericFields.h"
 #include "tests/support/WrittenMap.h"
@@ -23,7 +24,7 @@ constexpr double kMostSeconds = kIsSanitized ? 200.0 : 10.0;  // of processors
 constexpr unsigned kWait = kIsSanitized ? 600 : 100;          // [s] by the clock, on a busy machine
 constexpr std::size_t kMostMemory = 2;                        // [GB]
 
-/// A scenario with every planner that needs no other program, every model and behaviour and every
+/// A scenario with every planner that needs no other file, every model and behaviour and every
 /// shape, in rooms with walls.
 constexpr char kScenario[] = R"(hunav_loader:
   ros__parameters:
@@ -61,7 +62,7 @@ hunavsim_desktop:
     p3: {model: orca, wait: [0.5, 0.5]}
     p5: {model: das}
     p6: {model: orca}
-    robots: [r1, r2, r3, r4, r5, r6, r7]
+    robots: [r1, r2, r3, r4, r5, r6, r7, r8, r9]
     r1: {planner: pursuit, start: {x: 3.0, y: 6.0, h: 0.0}, goal: {x: 16.0, y: 6.0},
       detector: {noise: 0.02, misses: 0.01}, odometry_noise: {alpha1: 0.01, alpha3: 0.01},
       localization: {std_x: 0.05, std_y: 0.05, std_yaw: 0.035, jump_rate: 0.1,
@@ -77,6 +78,8 @@ hunavsim_desktop:
     r6: {planner: social_force, start: {x: 13.0, y: 6.0, h: 0.0}, goal: {x: 2.0, y: 4.0},
       kinematics: omnidirectional}
     r7: {planner: dwa, start: {x: 15.0, y: 6.0, h: 3.0}, goal: {x: 9.0, y: 2.0}}
+    r8: {planner: straight, start: {x: 17.0, y: 6.0, h: 3.0}, goal: {x: 9.0, y: 3.0}}
+    r9: {planner: teleop, start: {x: 5.0, y: 7.2, h: 0.0}}
     obstacles: [box1, pillar1, block1, wall1]
     box1: {kind: box, x: 4.0, y: 8.5, h: 0.3, length: 1.0, width: 0.5}
     pillar1: {kind: circle, x: 6.0, y: 8.5, radius: 0.4}
@@ -86,13 +89,39 @@ hunavsim_desktop:
     dock1: {kind: charging, x: 3.0, y: 8.0, h: 1.0}
     doors: [door1]
     door1: {x1: 14.0, y1: 8.0, x2: 15.0, y2: 8.0, thickness: 0.05, toggles: [0.5]}
-    areas: [in1, out1, wait1, exit1]
+    areas: [in1, out1, wait1, exit1, belt1]
     in1: {kind: source, like: p1, rate: 0.5, xs: [14.0, 16.0, 15.0], ys: [2.0, 2.0, 4.0],
       count: 3}
     out1: {kind: sink, xs: [17.0, 18.0, 18.0], ys: [9.0, 9.0, 10.0]}
     wait1: {kind: wait, xs: [1.0, 2.0, 2.0], ys: [1.0, 1.0, 2.0]}
     exit1: {kind: exit, xs: [18.0, 19.0, 19.0], ys: [1.0, 1.0, 2.0]}
+    belt1: {kind: speed, factor: 0.8, carry_speed: 0.5, carry_h: 1.0,
+      xs: [2.5, 8.5, 8.5, 2.5], ys: [2.5, 2.5, 4.5, 4.5]}
 )";
+
+/// Those of other programs and files.
+constexpr char kOtherRobots[] =
+    "    r10: {planner: replay, planner_parameters: {file: replay.csv}, "
+    "start: {x: 7.0, y: 7.2, h: 0.0}, goal: {x: 16.0, y: 7.2}}\n"
+    "    r11: {planner: external, command: " TEST_OUTPUT_DIR
+    "/planners/follow, start: {x: 9.0, y: 7.2, h: 0.0}, goal: {x: 16.0, y: 7.2}}\n"
+    "    r12: {planner: library, planner_parameters: {file: " TEST_OUTPUT_DIR
+    "/planners/library.so}, start: {x: 11.0, y: 7.2, h: 0.0}, goal: {x: 16.0, y: 7.2}}\n";
+constexpr char kLearnedRobot[] =
+    "    r13: {planner: onnx, planner_parameters: {file: " SOURCE_DIR
+    "/resources/policies/crossing_policy.onnx}, start: {x: 13.0, y: 7.2, h: 0.0}, "
+    "goal: {x: 2.0, y: 7.2}}\n";
+
+/// The scenario with a robot of each planner (of `onnx` where this build has it).
+std::string wholeScenario() {
+  const bool hasOnnx = !sim2d::policyModuleFile().empty();
+  std::string words = std::string(kScenario) + kOtherRobots + (hasOnnx ? kLearnedRobot : "");
+  const std::string last = "r8, r9";
+  words.insert(words.find(last) + last.size(),
+               hasOnnx ? ", r10, r11, r12, r13" : ", r10, r11, r12");
+  return words;
+}
+constexpr char kRunWhole[] = "run fields.yaml -q --duration 1 --allow-code";
 
 constexpr char kExperiment[] = R"(hunavsim_experiment: 1
 scenarios: [fields.yaml]
@@ -107,9 +136,24 @@ values:
   p3.max_vel: {uniform: [0.8, 1.2]}
 )";
 
-bool takesAll() {
-  return qEnvironmentVariableIsSet("HUNAV_ALL_TESTS");
-}
+/// Counts the values and says which of them are tried: usually one in `usual`, with
+/// HUNAV_ALL_TESTS one in `ofLong`; with HUNAV_FIELDS all of the fields that it matches.
+class Selection {
+ public:
+  explicit Selection(std::size_t usual, std::size_t ofLong = 1)
+      : step_(qEnvironmentVariableIsSet("HUNAV_ALL_TESTS") ? ofLong : usual),
+        only_(qEnvironmentVariable("HUNAV_FIELDS")) {}
+  bool takes(const std::string& name) {
+    ++number_;
+    return only_.pattern().isEmpty() ? number_ % step_ == 0
+                                     : only_.match(QString::fromStdString(name)).hasMatch();
+  }
+
+ private:
+  std::size_t step_;
+  std::size_t number_ = 0;
+  QRegularExpression only_;
+};
 
 base::YamlNode yamlOf(const std::string& words) {
   base::Diagnostics problems;
@@ -144,7 +188,8 @@ QString faultOf(const Ended& ended, const std::vector<int>& codes) {
 
 /// Every number that users can write: tiny, huge, not a number. The program accepts the value or
 /// refuses it with a message; it neither crashes nor hangs. Usually a sample is tested, with
-/// HUNAV_ALL_TESTS all of them, which takes an hour of processor time.
+/// HUNAV_ALL_TESTS all of them (an hour of processor time), with HUNAV_FIELDS=EXPRESSION those of
+/// the fields whose names it matches.
 class NumericFieldsTest : public QObject {
   Q_OBJECT
 
@@ -187,25 +232,28 @@ void NumericFieldsTest::initTestCase() {
   QVERIFY(!base::hasErrors(
       sim2d::writeMap(grid, folder_.filePath(text("fields_map.yaml")).toStdString())));
   write("fields.yaml", kScenario);
+  write("replay.csv", "time,linear,angular\n0.0,0.4,0.1\n0.5,0.2,0.0\n1.0,0.0,0.0\n");
 }
 
 void NumericFieldsTest::ranges_ofAllTables_haveTwoEnds() {
-  const base::YamlNode root = yamlOf(kScenario);
+  const base::YamlNode root = yamlOf(wholeScenario());
   const NumericFields fields(root);
-  QVERIFY2(fields.unbounded().empty(), base::join(fields.unbounded(), ", ").c_str());
+  QCOMPARE(QString::fromStdString(base::join(fields.unbounded(), ", ")),
+           text("PERSON.group_id, PERSON.skin, ROBOT.goals, metrics.run_id"));  // names, no amounts
   QVERIFY(fields.all().size() > 300);
 }
 
 void NumericFieldsTest::scenario_asItIs_runs() {
+  write("fields.yaml", wholeScenario());
   const Ended checked = run(text("check fields.yaml"));
   QVERIFY2(faultOf(checked, {0}).isEmpty(), qPrintable(faultOf(checked, {0})));
-  const Ended ended = run(text("run fields.yaml -q --duration 1"));
+  const Ended ended = run(text(kRunWhole));
   QVERIFY2(faultOf(ended, {0}).isEmpty(), qPrintable(faultOf(ended, {0})));
 }
 
 QString NumericFieldsTest::faultOfScenario(const NumericField& field,
                                            const std::string& value) const {
-  static const base::YamlNode root = yamlOf(kScenario);
+  static const base::YamlNode root = yamlOf(wholeScenario());
   write("fields.yaml", base::emitYaml(withValue(root, field, value)) + "\n");
   const Ended checked = run(text("check fields.yaml"));
   QString fault = faultOf(checked, {0, 2});
@@ -221,20 +269,18 @@ QString NumericFieldsTest::faultOfScenario(const NumericField& field,
   if (isTaken && !isFinite) {
     return text("taken, though it is no number");
   }
-  fault = faultOf(run(text("run fields.yaml -q --duration 1")),
-                  isTaken ? std::vector<int>{0, 1} : std::vector<int>{2});
+  fault = faultOf(run(text(kRunWhole)), isTaken ? std::vector<int>{0, 1} : std::vector<int>{2});
   return fault.isEmpty() ? QString() : text("run: ") + fault;
 }
 
 void NumericFieldsTest::scenario_anyNumber_isTakenOrRefused() {
-  constexpr std::size_t kSampled = 211;  // one in so many, a prime
-  const base::YamlNode root = yamlOf(kScenario);
+  Selection selection(211);  // a prime
+  const base::YamlNode root = yamlOf(wholeScenario());
   const NumericFields fields(root);
-  std::size_t number = 0;
   QStringList faults;
   for (const NumericField& field : fields.all()) {
     for (const std::string& value : field.values) {
-      if (++number % kSampled != 0 && !takesAll()) {
+      if (!selection.takes(field.name)) {
         continue;
       }
       const QString fault = faultOfScenario(field, value);
@@ -250,7 +296,7 @@ void NumericFieldsTest::scenario_anyNumber_isTakenOrRefused() {
 
 /// Each number of the file; a batch is run only for values that give few runs.
 void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
-  constexpr std::size_t kSampled = 17;
+  Selection selection(17);
   constexpr std::size_t kMostRuns = 16;
   constexpr double kLongest = 10.0;  // [s]; longer runs take as long as they are asked to
   const base::YamlNode root = yamlOf(kExperiment);
@@ -271,10 +317,9 @@ void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
   add(root, {});
   QVERIFY(fields.size() >= 15);
   const std::string path = folder_.filePath(text("study.yaml")).toStdString();
-  std::size_t number = 0;
   for (const NumericField& field : fields) {
     for (const std::string& value : field.values) {
-      if (++number % kSampled != 0 && !takesAll()) {
+      if (!selection.takes(field.name)) {
         continue;
       }
       write("study.yaml", base::emitYaml(withValue(root, field, value)) + "\n");
@@ -327,16 +372,15 @@ std::vector<std::pair<QStringList, QString>> NumericFieldsTest::numericOptions()
 }
 
 void NumericFieldsTest::commandLine_anyNumber_isTakenOrRefused() {
-  constexpr std::size_t kSampled = 41;
+  Selection selection(41);
   write("study.yaml", kExperiment);
   QVERIFY(faultOf(run(text("run fields.yaml -q --duration 0.5 -o made")), {0}).isEmpty());
   const auto options = numericOptions();
   QVERIFY(options.size() >= 12);
-  std::size_t number = 0;
   for (const auto& [words, option] : options) {
     for (const std::string& value : extremeValues(false)) {
       const bool isLong = option == text("--duration") && value == "1000000.0";  // as asked for
-      if (isLong || (++number % kSampled != 0 && !takesAll())) {
+      if (isLong || !selection.takes(option.toStdString())) {
         continue;
       }
       const QString word = option + QLatin1Char('=') + QString::fromStdString(value);
