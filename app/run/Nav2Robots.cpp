@@ -12,6 +12,7 @@
 #include "bt/robot/Nav2Files.h"
 #include "bt/robot/Nav2Servers.h"
 #include "sim2d/base/Find.h"
+#include "sim2d/base/Ranges.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
@@ -90,7 +91,9 @@ std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
     if (loaded.ok()) {
       changed = robot;
-      changed->goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
+      // The navigator decides with its own tolerance, which may be 0 or less.
+      changed->goalRadius = std::clamp(sim2d::nav2::xyGoalTolerance(loaded.parameters),
+                                       base::kLength.low, base::kLength.high);
     } else {
       base::append(unread, loaded.problems);
     }

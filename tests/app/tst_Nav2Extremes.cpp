@@ -72,6 +72,8 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   row("humble", "cycle_frequency=0.0", "cycle_frequency: must be above 0");
   row("humble", "simulate_ahead_time=1e9", "simulate_ahead_time: must be 0 to 100 s");
   row("humble", "backup.deceleration_limit=1.0", "backup.deceleration_limit: must be 0 or less");
+  row("jazzy", "goal_checker.xy_goal_tolerance=0.0", "");
+  row("jazzy", "goal_checker.xy_goal_tolerance=-1.0", "");
   row("jazzy", "FollowPath.batch_size=1000000000", "batch_size 1e+09 is not 1 to 50000");
   row("jazzy", "FollowPath.time_steps=1000000000", "time_steps 1e+09 is not 2 to 200");
   row("jazzy", "FollowPath.iteration_count=100", "");

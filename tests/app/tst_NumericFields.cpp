@@ -9,6 +9,8 @@
 #include "sim2d/map/MapReader.h"
 #include "sim2d/nav/onnx/PolicyNetwork.h"
 #include "tests/app/ForkedProgram.h"
+#include "tests/app/Nav2Numbers.h"
+#include "tests/app/Nav2Yard.h"
 #include "tests/app/NumericFields.h"
 #include "tests/support/WrittenMap.h"
 
@@ -210,6 +212,7 @@ class NumericFieldsTest : public QObject {
   void ranges_ofAllTables_haveTwoEnds();
   void scenario_asItIs_runs();
   void scenario_anyNumber_isTakenOrRefused();
+  void nav2_anyNumber_isTakenOrRefused();
   void experiment_anyNumber_isTakenOrRefused();
   void commandLine_anyNumber_isTakenOrRefused();
   void given_farTooLarge_isRefusedAtItsPlace_data();
@@ -292,6 +295,45 @@ void NumericFieldsTest::scenario_anyNumber_isTakenOrRefused() {
   }
   write("fields.yaml", kScenario);
   QVERIFY2(faults.isEmpty(), qPrintable(text("%1 faults").arg(faults.size())));
+}
+
+/// Each number that Nav2 declares, by itself in a file beside a whole one for its branch. In the
+/// long version a third of the values.
+void NumericFieldsTest::nav2_anyNumber_isTakenOrRefused() {
+  writeNav2Yard(folder_.filePath(text("nav2")));
+  Selection selection(997, 3);
+  int fields = 0, faults = 0;
+  for (const Nav2Number& number : nav2Numbers()) {
+    ++fields;
+    for (const std::string& value : extremeValues(number.isInteger)) {
+      if (!selection.takes(number.name)) {
+        continue;
+      }
+      write("nav2/key.yaml", number.place.fileWith(number.key, value));
+      const QString distro = text(number.distro);
+      const Ended checked = run(text("check nav2/key.yaml --nav2-distro ") + distro);
+      const Ended ended =
+          run(text("run nav2/yard.yaml -q --duration 1 --nav2-params nav2/params_%1.yaml "
+                   "--nav2-params nav2/key.yaml --nav2-distro %1")
+                  .arg(distro));
+      QString fault = faultOf(checked, {0, 2}) + faultOf(ended, {0, 1, 2});
+      static const QRegularExpression placed(
+          text("(^|\n)\\S*nav2/(key|params_\\w+)\\.yaml(:\\d+){0,2}: error: "));
+      for (const Ended* each : {&checked, &ended}) {
+        const bool isRefused = WIFEXITED(each->status) && WEXITSTATUS(each->status) == 2;
+        fault += isRefused && !each->err.contains(placed)
+                     ? text("refused without a place\n") + each->err.left(2000)
+                     : QString();
+      }
+      if (!fault.isEmpty()) {
+        ++faults;
+        qWarning("%s = %s (%s): %s", number.name.c_str(), value.c_str(), number.distro,
+                 qPrintable(fault));
+      }
+    }
+  }
+  QVERIFY(fields > 400);
+  QCOMPARE(faults, 0);
 }
 
 /// Each number of the file; a batch is run only for values that give few runs.
