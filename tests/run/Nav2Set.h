@@ -79,7 +79,8 @@ inline std::string fileOf(const Pieces& pieces) {
 /// A file of the set.
 struct Case {
   std::string name, text;
-  bool isQuick = false;  // driven always, the others with HUNAV_ALL_TESTS
+  bool isQuick = false;   // driven always, the others with HUNAV_ALL_TESTS
+  std::string tree = {};  // XML; empty: Humble's tree with replanning and recoveries
 };
 
 inline std::string controllerBlock(const std::string& plugin, const std::string& keys) {
@@ -499,16 +500,6 @@ inline std::vector<Case> oddCases() {
                                "footprint: \"[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], "
                                "[-0.3, 0.2]]\"")},
   };
-}
-
-/// All of them.
-inline std::vector<Case> allCases() {
-  std::vector<Case> all;
-  for (auto&& part : {controllerCases(), plannerCases(), layerCases(), checkerCases(),
-                      smootherCases(), oddCases()}) {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
 }
 
 }  // namespace nav2set

@@ -11,7 +11,7 @@
 #include "app/run/Nav2Robots.h"
 #include "sim2d/base/Text.h"
 #include "tests/run/LatticeFile.h"
-#include "tests/run/Nav2Set.h"
+#include "tests/run/Nav2SetFiles.h"
 
 /// A set of parameter files as real robots have them: each is accepted, and nine of ten drive a
 /// robot to its goal in two scenes with people. With HUNAV_ALL_TESTS all of them drive.
@@ -34,14 +34,26 @@ class Nav2SetTest : public QObject {
 
 namespace {
 
-std::string writtenFile(const nav2set::Case& file) {
+/// Writes a text of a case into a file with this ending.
+std::string writtenText(const nav2set::Case& file, const std::string& text, const char* ending) {
   std::string name = file.name;
   for (char& letter : name) {
     letter = std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
   }
-  const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_set_" + name + ".yaml";
-  base::writeFileAtomically(path, file.text);
+  const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_set_" + name + ending;
+  base::writeFileAtomically(path, text);
   return path;
+}
+
+std::string writtenFile(const nav2set::Case& file) {
+  return writtenText(file, file.text, ".yaml");
+}
+
+std::string writtenTree(const nav2set::Case& file) {
+  if (!file.tree.empty()) {
+    return writtenText(file, file.tree, ".xml");
+  }
+  return SOURCE_DIR "/resources/nav2_trees/humble/navigate_to_pose_w_replanning_and_recovery.xml";
 }
 
 std::string errorsIn(const base::Diagnostics& problems) {
@@ -52,14 +64,14 @@ std::string errorsIn(const base::Diagnostics& problems) {
   return all;
 }
 
-std::string latticeParameters(const std::string& name, const std::string& json) {
+nav2set::Case latticeCase(const std::string& name, const std::string& json) {
   base::writeFileAtomically(std::string(TEST_OUTPUT_DIR) + "/tmp/" + name + ".json", json);
   nav2set::Pieces pieces;
   pieces.planner =
       "    GridBased:\n      plugin: \"nav2_smac_planner::SmacPlannerLattice\"\n"
       "      lattice_filepath: \"/opt/acme/share/" +
       name + ".json\"\n";
-  return writtenFile({name, nav2set::fileOf(pieces)});
+  return {name, nav2set::fileOf(pieces)};
 }
 
 const nav2set::Case& caseOf(const QString& name) {
@@ -69,14 +81,13 @@ const nav2set::Case& caseOf(const QString& name) {
 }
 
 /// Whether a robot with these parameters reaches the goal of a scene within two minutes.
-bool arrives(const std::string& parameters, const std::string& scene) {
+bool arrives(const nav2set::Case& file, const std::string& scene) {
   constexpr double kLongest = 120.0;  // [s]
   app::RunSpec options;
   options.scenario = std::string(SOURCE_DIR "/maps/planners/") + scene + "_agents.yaml";
   options.planner = "nav2";
-  options.nav2Params = {parameters};
-  options.nav2Tree =
-      SOURCE_DIR "/resources/nav2_trees/humble/navigate_to_pose_w_replanning_and_recovery.xml";
+  options.nav2Params = {writtenFile(file)};
+  options.nav2Tree = writtenTree(file);
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
   app::Verdict verdict = app::check(bundle);
   if (!verdict.world) {
@@ -125,13 +136,13 @@ void Nav2SetTest::files_areAccepted() {
 }
 
 void Nav2SetTest::lattice_fileBesideTheParameters_isRead() {
-  const std::string path = latticeParameters("lattice_good", nav2set::latticeText());
-  const base::Diagnostics problems = app::checkNav2Files({path});
+  const nav2set::Case file = latticeCase("lattice_good", nav2set::latticeText());
+  const base::Diagnostics problems = app::checkNav2Files({writtenFile(file)});
   QVERIFY2(errorsIn(problems).empty(), errorsIn(problems).c_str());
   QVERIFY(std::none_of(problems.begin(), problems.end(), [](const base::Diagnostic& each) {
     return each.code == "nav2.treated-as";
   }));
-  QVERIFY(arrives(path, "doorway"));
+  QVERIFY(arrives(file, "doorway"));
 }
 
 void Nav2SetTest::lattice_badFile_isAnError() {
@@ -139,7 +150,7 @@ void Nav2SetTest::lattice_badFile_isAnError() {
   text.replace(text.find("\"end_angle_index\": 0"), 20, "\"end_angle_index\": 7");
   for (const std::string& json : {text, std::string("{"), std::string("[1]"), std::string()}) {
     const base::Diagnostics problems =
-        app::checkNav2Files({latticeParameters("lattice_bad", json)});
+        app::checkNav2Files({writtenFile(latticeCase("lattice_bad", json))});
     QVERIFY(std::any_of(problems.begin(), problems.end(), [](const base::Diagnostic& each) {
       return each.code == "nav2.bad-lattice" && each.severity == base::Severity::Error;
     }));
@@ -165,7 +176,7 @@ void Nav2SetTest::robots_arrive() {
   QFETCH(QString, name);
   QFETCH(QString, scene);
   ++driven_;
-  const bool hasArrived = arrives(writtenFile(caseOf(name)), scene.toStdString());
+  const bool hasArrived = arrives(caseOf(name), scene.toStdString());
   arrived_ += hasArrived ? 1 : 0;
   if (!hasArrived) {
     qInfo("%s does not arrive in %s", qPrintable(name), qPrintable(scene));
