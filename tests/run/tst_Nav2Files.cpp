@@ -268,7 +268,7 @@ void Nav2FilesTest::ownTree_ofOtherPlugins_usesTheFirst() {
                 "planner_server:\n  ros__parameters:\n    planner_plugins: [Navfn]\n"
                 "    Navfn: {plugin: \"nav2_navfn_planner::NavfnPlanner\"}\n");
   app::RunSpec options = optionsOf({params});
-  options.nav2Tree.clear();
+  options.nav2Tree.reset();
   const std::string found = textsOf(app::checkNav2Files({params}));
   const app::Verdict verdict = verdictOf(options);
   for (const char* const warning :
