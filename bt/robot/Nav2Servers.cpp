@@ -345,7 +345,9 @@ bool isBlocked(const PathCheck& check, std::uint8_t cost, bool isRadius) {
 }  // namespace
 
 base::Pose2 Nav2Servers::poseIn(const std::string& frame) const {
-  return bareName(frame) == setup_.parameters.frames.odom ? inOdom_->pose : observation_->pose;
+  const FrameNames& frames = setup_.parameters.frames;
+  const bool isOdom = bareName(frame) == frames.odom && frames.odom != frames.map;
+  return isOdom ? inOdom_->pose : observation_->pose;
 }
 
 double Nav2Servers::speed() const {
