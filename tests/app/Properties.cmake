@@ -24,8 +24,8 @@ set_tests_properties(app.tst_OneVerdict PROPERTIES TIMEOUT 1800 COST 100)
 set_tests_properties(app.tst_LargeMapMemory PROPERTIES TIMEOUT ${long})
 # With HUNAV_ALL_TESTS it damages 20 000 files, which takes about 20 minutes of a processor.
 set_tests_properties(app.tst_Mutations PROPERTIES TIMEOUT 10000 COST 1000)
-# With HUNAV_ALL_TESTS it tries 7000 values, which takes about an hour of a processor.
-set_tests_properties(app.tst_NumericFields PROPERTIES TIMEOUT 10000 COST 1000)
+# With HUNAV_ALL_TESTS it tries 10 000 values, which takes about two hours of a processor.
+set_tests_properties(app.tst_NumericFields PROPERTIES TIMEOUT 20000 COST 1000)
 # It starts the program for each step of memory.
 set_tests_properties(app.tst_LowMemory PROPERTIES TIMEOUT ${long} COST 100)
 # With HUNAV_ALL_TESTS it makes more than a thousand faults.

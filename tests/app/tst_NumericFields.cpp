@@ -190,7 +190,7 @@ QString faultOf(const Ended& ended, const std::vector<int>& codes) {
 
 /// Every number that users can write: tiny, huge, not a number. The program accepts the value or
 /// refuses it with a message; it neither crashes nor hangs. Usually a sample is tested, with
-/// HUNAV_ALL_TESTS all of them (an hour of processor time), with HUNAV_FIELDS=EXPRESSION those of
+/// HUNAV_ALL_TESTS all of them (two hours of processor time), with HUNAV_FIELDS=EXPRESSION those of
 /// the fields whose names it matches.
 class NumericFieldsTest : public QObject {
   Q_OBJECT
