@@ -119,9 +119,9 @@ class CertifyProgramTest : public QObject {
       writeText(folder.filePath(text("meeting.certificate.json")), certificate);
       const Finished finished =
           runProgram(text("check --verify meeting.yaml").split(QLatin1Char(' ')), folder.path());
-      QCOMPARE(
-          unexpected(finished, 2, "meeting.certificate.json: error: is not a certificate of a scenario"),
-          QString());
+      QCOMPARE(unexpected(finished, 2,
+                          "meeting.certificate.json: error: is not a certificate of a scenario"),
+               QString());
     }
   }
 
