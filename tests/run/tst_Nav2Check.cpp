@@ -132,7 +132,7 @@ void Nav2CheckTest::oneChange_isToldOnceWithItsLine() {
 
 /// DWB stops and rotates within its own tolerance.
 void Nav2CheckTest::rotation_outsideOfTheGoalsTolerance_isReported() {
-  const auto reported = [](const std::string& checker, const std::string& keys) {
+  const auto reported = [this](const std::string& checker, const std::string& keys) {
     const base::Diagnostics found = checked(
         "controller_server:\n  ros__parameters:\n    controller_plugins: [FollowPath]\n"
         "    goal_checker: {plugin: \"nav2_controller::SimpleGoalChecker\", "
